@@ -64,3 +64,15 @@ using ${type} = TypeList<${names}>;
 }
 ")
 endfunction()
+
+# plumbline_label(LIST LABELS): gives the tests that a *_discover_tests(.. TEST_LIST LIST) finds more than one label;
+# its own PROPERTIES argument cannot carry a list.
+function(plumbline_label list labels)
+  set(script ${CMAKE_CURRENT_BINARY_DIR}/${list}_labels.cmake)
+  file(CONFIGURE OUTPUT ${script} @ONLY CONTENT
+"foreach(test IN LISTS @list@)
+  set_tests_properties(\${test} PROPERTIES LABELS \"@labels@\")
+endforeach()
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
+endfunction()
