@@ -1,0 +1,30 @@
+# Shared by ./tests/run and ./reports/make (sourced): packages, configure, build. $root is the top of the tree.
+jobs=${PLUMBLINE_JOBS:-$(nproc)}
+
+install_missing_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "Not a Debian system: see .ci/packages.txt for what must be there." >&2
+    return
+  fi
+  local missing=() package
+  for package in $(sed 's/#.*//' "$root/.ci/packages.txt"); do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  if [ "$(id -u)" -ne 0 ]; then
+    echo "Packages are missing. Run this, then start again:" >&2
+    echo "  sudo apt-get update && sudo apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  echo "Installing: ${missing[*]}" >&2
+  apt-get update -q >&2
+  DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" >&2
+}
+
+# build [TARGET..]: configures the release preset and builds the targets (all of them if none is named)
+build() {
+  local launcher=()
+  command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  cmake --preset release "${launcher[@]}" >&2
+  cmake --build --preset release -j "$jobs" ${1:+--target "$@"} >&2
+}

@@ -1,0 +1,37 @@
+# Installation: the libraries that exist, their headers, the program, the scenes, and a package for find_package(plumbline).
+include(CMakePackageConfigHelpers)
+set(plumbline_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumbline)
+
+foreach(part lib mms oned reports)
+  if(TARGET plumbline::${part})
+    get_target_property(target plumbline::${part} ALIASED_TARGET)
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${part})
+    install(TARGETS ${target} EXPORT plumblineTargets COMPONENT library)
+  endif()
+endforeach()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ ${PROJECT_BINARY_DIR}/generated/plumbline/
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline COMPONENT library FILES_MATCHING PATTERN "*.hpp")
+foreach(part mms oned reports)  # included as "mms/..": their include directory is include/plumbline
+  if(TARGET plumbline::${part})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline
+            COMPONENT library FILES_MATCHING PATTERN "*.hpp" PATTERN "out" EXCLUDE)
+  endif()
+endforeach()
+if(EXISTS ${PROJECT_BINARY_DIR}/generated/mms)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/generated/mms DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline
+          COMPONENT library)
+endif()
+
+install(EXPORT plumblineTargets NAMESPACE plumbline:: DESTINATION ${plumbline_package_dir} COMPONENT library)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/plumblineConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/plumblineConfig.cmake INSTALL_DESTINATION ${plumbline_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/plumblineConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/plumblineConfig.cmake ${PROJECT_BINARY_DIR}/plumblineConfigVersion.cmake
+        DESTINATION ${plumbline_package_dir} COMPONENT library)
+
+if(TARGET plumb)
+  install(TARGETS plumb COMPONENT program)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline
+          COMPONENT program)
+endif()
