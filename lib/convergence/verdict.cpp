@@ -1,0 +1,78 @@
+#include "plumbline/convergence/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+namespace {
+
+/// Order over the last three fitted levels (two if there are no more).
+double tail_order(const OrderFit& fit) {
+  const std::size_t last = fit.levels.size() - 1;
+  const std::size_t first = last >= 2 ? last - 2 : 0;
+  return pairwise_order({fit.levels[first], fit.errors[first]}, {fit.levels[last], fit.errors[last]});
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::not_asymptotic:
+      return "not-asymptotic";
+    case Verdict::noise_floor:
+      return "noise-floor";
+    case Verdict::inconclusive:
+      break;
+  }
+  return "inconclusive";
+}
+
+std::string_view name_of(Trend trend) {
+  switch (trend) {
+    case Trend::asymptotic:
+      return "asymptotic";
+    case Trend::noise_floor:
+      return "noise-floor";
+    case Trend::stalled:
+      return "stalled";
+    case Trend::divergent:
+      return "divergent";
+    case Trend::not_asymptotic:
+      break;
+  }
+  return "not-asymptotic";
+}
+
+Verdict judge(const OrderFit& fit, double declared, const VerdictRules& rules) {
+  if (fit.not_finite > 0) return Verdict::fail;
+  if (fit.given < rules.min_levels) return Verdict::inconclusive;
+  if (fit.levels.size() < rules.min_levels) return Verdict::noise_floor;
+  if (fit.sign_changes) return Verdict::not_asymptotic;
+  if (fit.errors.back() > fit.errors.front()) return Verdict::fail;
+  if (!(std::abs(fit.drift) <= rules.max_drift)) return Verdict::not_asymptotic;
+  if (!(fit.half_width() <= rules.max_half_width)) return Verdict::inconclusive;
+  const double reach = std::max(fit.half_width(), rules.resolution);
+  const double missing = declared - fit.order;
+  if (std::abs(missing) <= reach) return Verdict::pass;
+  const bool on_its_way = missing * fit.drift > 0 && std::abs(fit.drift) > 2 * rules.resolution;
+  return on_its_way ? Verdict::not_asymptotic : Verdict::fail;
+}
+
+Trend classify(const OrderFit& fit, const VerdictRules& rules) {
+  const std::size_t n = fit.levels.size();
+  if (fit.not_finite > 0) return Trend::divergent;
+  if (n == 0 || (fit.given >= rules.min_levels && n < rules.min_levels)) return Trend::noise_floor;
+  if (fit.sign_changes || n < 2) return Trend::not_asymptotic;
+  const double tail = tail_order(fit);
+  if (tail <= -rules.least_order) return Trend::divergent;
+  if (tail < rules.least_order) return Trend::stalled;
+  const bool power_law = n >= rules.min_levels && std::abs(fit.drift) <= rules.max_drift &&
+                         fit.half_width() <= rules.max_half_width;
+  return power_law ? Trend::asymptotic : Trend::not_asymptotic;
+}
+
+}  // namespace plumb

@@ -1,0 +1,62 @@
+#pragma once
+#include <string_view>
+
+#include "plumbline/convergence/order_fit.hpp"
+
+namespace plumb {
+
+/// Outcome of a study with a declared order. Only pass is a pass.
+enum class Verdict {
+  pass,            ///< the declared order is the measured one
+  fail,            ///< the measured order is another one, above or below; or a run broke
+  not_asymptotic,  ///< the local slope still drifts, or a signed error crosses zero
+  noise_floor,     ///< fewer than four levels lie above round-off or the modelling floor
+  inconclusive     ///< fewer than four levels, or an interval too wide to tell orders apart
+};
+
+/// Outcome of a study without a declared order (`plumb oned study`).
+enum class Trend {
+  asymptotic,      ///< at least four levels on one power law
+  not_asymptotic,  ///< no power law (yet), or fewer than four levels: none can be claimed
+  noise_floor,     ///< fewer than four levels lie above round-off or the modelling floor
+  stalled,         ///< the errors stop falling at a size that no floor explains
+  divergent        ///< the errors grow under refinement, or are not finite
+};
+
+std::string_view name_of(
+    Verdict verdict);  ///< "pass", "fail", "not-asymptotic", "noise-floor", "inconclusive"
+std::string_view name_of(
+    Trend trend);  ///< "asymptotic", "not-asymptotic", "noise-floor", "stalled", "divergent"
+
+/// The thresholds of the verdicts; the reasons stand in lib/convergence/README.md.
+struct VerdictRules {
+  std::size_t min_levels = 4;   ///< two levels prove nothing, three leave the interval one degree of freedom
+  double max_half_width = 0.5;  ///< a wider interval does not tell p from p + 1/2
+  double max_drift = 0.5;       ///< change of the local slope over the fitted range
+  double resolution = 0.1;      ///< orders nearer than this are not told apart
+  double least_order = 0.25;    ///< |order| below this is no convergence: 16 % a halving
+};
+
+/// Decides, in this sequence:
+/// 1. a level that is not finite: fail;
+/// 2. fewer than min_levels given: inconclusive;
+/// 3. fewer than min_levels above the floors: noise_floor;
+/// 4. a change of sign: not_asymptotic;
+/// 5. a larger error on the finest than on the coarsest fitted level: fail;
+/// 6. |drift| > max_drift: not_asymptotic;
+/// 7. half-width > max_half_width: inconclusive;
+/// 8. the declared order within [lower, upper], or within order +- resolution: pass;
+/// 9. the local slope drifts towards the declared order by more than 2 resolutions: not_asymptotic;
+/// 10. else fail, on either side.
+Verdict judge(const OrderFit& fit, double declared, const VerdictRules& rules = {});
+
+/// Decides, in this sequence:
+/// 1. a level that is not finite: divergent;
+/// 2. no level above the floors, or at least min_levels given and fewer above: noise_floor;
+/// 3. a change of sign: not_asymptotic;
+/// 4. the order q over the last three fitted levels: q <= -least_order divergent, |q| < least_order stalled;
+/// 5. fewer than min_levels, |drift| > max_drift or half-width > max_half_width: not_asymptotic;
+/// 6. else asymptotic.
+Trend classify(const OrderFit& fit, const VerdictRules& rules = {});
+
+}  // namespace plumb
