@@ -19,7 +19,8 @@ function(plumbline_target name)
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi
     -fno-math-errno -fno-trapping-math -ffp-contract=fast)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # false alarms inside GCC 12's own AVX-512 headers (GCC bug 105593)
-    target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized -Wno-uninitialized)
+    target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized -Wno-uninitialized
+      -Wno-restrict)  # and in std::string operator+ (GCC bug 105651)
   endif()
   if(PLUMBLINE_WERROR)
     target_compile_options(${name} PRIVATE -Werror)

@@ -1,0 +1,78 @@
+#include "plumbline/output/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "plumbline/core/error.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw OutputError(fmt::format("cannot write {} ({})", path.string(), std::strerror(error)));
+}
+
+/// All of `content` to the new or truncated file; the error number, 0 for none.
+int write_all(const fs::path& path, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int error = 0;
+  while (!content.empty() && error == 0) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written >= 0)
+      content.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error = errno;
+  }
+  // A pipe or a device cannot be flushed to the disk: EINVAL is no failure.
+  if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) error = errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+}  // namespace
+
+void require_writable(const fs::path& path, std::string_view option) {
+  const auto refuse = [&](std::string why, std::string suggestion) {
+    throw InputError(fmt::format("{}: cannot write \"{}\"", option, path.string()), std::move(why),
+                     std::move(suggestion));
+  };
+  if (path.empty()) refuse("the file name is empty", "");
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) refuse("it is a folder", "give a file name");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored))
+    refuse(fmt::format("there is no folder \"{}\"", folder.string()), "make it first");
+  if (::access(fs::exists(path, ignored) ? path.c_str() : folder.c_str(), W_OK) != 0)
+    refuse(std::strerror(errno), "choose another place");
+}
+
+void replace_file(const fs::path& path, std::string_view content) {
+  if (is_special(path)) {
+    if (const int error = write_all(path, content)) fail(path, error);
+    return;
+  }
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  fs::path temporary = target;
+  temporary += fmt::format(".{}.tmp", ::getpid());
+  int error = write_all(temporary, content);
+  if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  ::unlink(temporary.c_str());
+  fail(path, error);
+}
+
+}  // namespace plumb

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace plumb {
+
+/// A file could not be written: the disk is full, the folder vanished. Not the user's input: exit code 1.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// InputError unless a file can be made at `path`: its folder exists and can be written, and it is no folder
+/// itself. Nothing is written. `option` names what gave the path, for the message ("--json").
+void require_writable(const std::filesystem::path& path, std::string_view option);
+
+/// Replaces the file at `path` by `content`: writes a new file beside it, flushes it to the disk and renames
+/// it, so that a reader sees the old content or the new one, never a part. Devices and pipes are written
+/// directly. Throws OutputError, and leaves the old file, when that fails.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace plumb

@@ -1,0 +1,88 @@
+#include "plumbline/output/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace plumb {
+namespace {
+
+Cell cell_of(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return std::string("nan");
+  if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
+  if (value.is_number_integer()) return value.get<long long>();
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump();
+}
+
+std::string short_text(const Cell& cell, int digits) {
+  if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.{}g}", *number, digits);
+  if (const auto* whole = std::get_if<long long>(&cell)) return std::to_string(*whole);
+  return std::get<std::string>(cell);
+}
+
+/// Columns of a terminal that UTF-8 text takes: one per code point.
+std::size_t width_of(const std::string& text) {
+  return std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xc0') != '\x80'; });
+}
+
+}  // namespace
+
+Table table_of(const nlohmann::ordered_json& rows) {
+  Table table;
+  for (const auto& row : rows)
+    for (const auto& item : row.items())
+      if (std::find(table.columns.begin(), table.columns.end(), item.key()) == table.columns.end())
+        table.columns.push_back(item.key());
+  for (const auto& row : rows) {
+    std::vector<Cell> cells;
+    for (const auto& column : table.columns)
+      cells.push_back(row.contains(column) ? cell_of(row[column]) : Cell(std::string()));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.17g}", *number);
+  if (const auto* whole = std::get_if<long long>(&cell)) return std::to_string(*whole);
+  const auto& text = std::get<std::string>(cell);
+  if (text.find_first_of("\",\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_text(const Table& table) {
+  std::string text;
+  const auto add_line = [&text](const auto& cells) {
+    for (std::size_t k = 0; k < cells.size(); ++k) text += (k ? "," : "") + csv_cell(Cell(cells[k]));
+    text += '\n';
+  };
+  add_line(table.columns);
+  for (const auto& row : table.rows) add_line(row);
+  return text;
+}
+
+std::string plain_text(const Table& table, int digits) {
+  std::vector<std::vector<std::string>> lines{table.columns};
+  for (const auto& row : table.rows) {
+    auto& line = lines.emplace_back();
+    for (const auto& cell : row) line.push_back(short_text(cell, digits));
+  }
+  std::vector<std::size_t> widths(table.columns.size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], width_of(line[k]));
+  std::string text;
+  for (const auto& line : lines) {
+    std::string row;
+    for (std::size_t k = 0; k < line.size(); ++k)
+      row += (k ? "  " : "") + line[k] + std::string(widths[k] - width_of(line[k]), ' ');
+    text += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+}  // namespace plumb

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <new>
+
+#include "plumb/commands.hpp"
+#include "plumb/provenance.hpp"
+#include "plumb/session.hpp"
+#include "plumb/usage.hpp"
+#include "plumbline/core/error.hpp"
+
+namespace {
+
+constexpr int done = 0;
+constexpr int failed = 1;
+constexpr int bad_input = 2;
+
+int complain(const std::string& text, int code) {
+  std::cout << std::flush;
+  std::cerr << text << '\n';
+  return code;
+}
+
+/// Parses, checks at the door, runs the chosen subcommand; the exit code.
+int run(CLI::App& program, plumb::Session& session, int count, char** arguments) {
+  try {
+    program.parse(count, arguments);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return program.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return complain(plumb::usage_error(program, error), bad_input);
+  }
+  if (!session.action) {
+    std::cout << plumb::first_steps(program);
+    return done;
+  }
+  session.check();
+  return session.action();
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    plumb::Session session;
+    session.command_line = plumb::shell_line({arguments + std::min(count, 1), arguments + count});
+    CLI::App program("Plumbline: verification-first numerical analysis of total Lagrangian SPH", "plumb");
+    program.set_version_flag("--version", plumb::version_text());
+    plumb::add_all_commands(program, session);
+    return run(program, session, count, arguments);
+  } catch (const plumb::InputError& error) {
+    return complain(std::string("plumb: ") + error.what(), bad_input);
+  } catch (const std::bad_alloc&) {
+    return complain("plumb: out of memory; try a coarser spacing or fewer particles", failed);
+  } catch (const std::exception& error) {
+    return complain(std::string("plumb: ") + error.what(), failed);
+  }
+}

@@ -1,0 +1,35 @@
+#include "plumb/provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "plumb/build.hpp"
+#include "plumb/commit.hpp"
+
+namespace plumb {
+
+std::string version() {
+  return PLUMB_VERSION;
+}
+
+std::string version_text() {
+  return fmt::format("plumb {} (commit {}, {} build, {}, {})", PLUMB_VERSION, PLUMB_COMMIT, PLUMB_BUILD_TYPE,
+                     PLUMB_COMPILER, PLUMB_FLAGS);
+}
+
+nlohmann::ordered_json provenance() {
+  return {{"commit", PLUMB_COMMIT},
+          {"compiler", PLUMB_COMPILER},
+          {"flags", PLUMB_FLAGS},
+          {"build", PLUMB_BUILD_TYPE},
+          {"host_cores", std::thread::hardware_concurrency()},
+          {"threads", omp_get_max_threads()},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+}
+
+}  // namespace plumb

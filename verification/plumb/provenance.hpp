@@ -1,0 +1,17 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace plumb {
+
+/// The version, "0.1.0".
+std::string version();
+
+/// What --version prints: version, commit and build.
+std::string version_text();
+
+/// {commit, compiler, flags, build, host_cores, threads, date}: where a result comes from. The date is UTC,
+/// ISO 8601; threads is what OpenMP will use.
+nlohmann::ordered_json provenance();
+
+}  // namespace plumb

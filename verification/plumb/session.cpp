@@ -1,0 +1,114 @@
+#include "plumb/session.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "plumb/provenance.hpp"
+#include "plumbline/core/error.hpp"
+#include "plumbline/output/file.hpp"
+#include "plumbline/output/json.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int most_threads = 1024;
+
+void write(const std::string& file, const std::string& content) {
+  if (file != "-") return replace_file(file, content);
+  std::cout << content << std::flush;
+  if (!std::cout) throw OutputError("cannot write to standard output");
+}
+
+void check_file(const std::string& file, const char* option) {
+  if (!file.empty() && file != "-") require_writable(file, option);
+}
+
+/// The complaint about the value of --threads, empty if there is none.
+std::string thread_count(const std::string& text) {
+  const bool whole =
+      !text.empty() && text.find_first_not_of("0123456789") == std::string::npos && text.size() < 5;
+  const int count = whole ? std::stoi(text) : 0;
+  if (count >= 1 && count <= most_threads) return {};
+  return fmt::format("\"{}\" is not a whole number from 1 to {}", text, most_threads);
+}
+
+}  // namespace
+
+std::ostream& Session::text() const {
+  static std::ostream nowhere(nullptr);
+  return quiet || json == "-" || csv == "-" ? nowhere : std::cout;
+}
+
+void Session::write_json(const nlohmann::ordered_json& result) const {
+  if (json.empty()) return;
+  nlohmann::ordered_json whole{
+      {"plumbline", version()}, {"command", command_line}, {"provenance", provenance()}};
+  whole.update(result);
+  write(json, json_text(whole));
+}
+
+void Session::write_csv(const Table& table) const {
+  if (!csv.empty()) write(csv, csv_text(table));
+}
+
+void Session::write_csv(const nlohmann::ordered_json& rows) const {
+  if (!csv.empty()) write_csv(table_of(rows));
+}
+
+void Session::write_table(const nlohmann::ordered_json& rows) const {
+  const Table table = table_of(rows);
+  text() << plain_text(table) << std::flush;
+  write_csv(table);
+}
+
+void Session::check() const {
+  if (json == "-" && csv == "-")
+    throw InputError("--json - and --csv - together", "both want standard output", "give one of them a file");
+  check_file(json, "--json");
+  check_file(csv, "--csv");
+  check_file(plot, "--plot");
+  const auto extension = std::filesystem::path(plot).extension();
+  if (!plot.empty() && extension != ".svg" && extension != ".png")
+    throw InputError(fmt::format("--plot: unknown kind of picture \"{}\"", plot),
+                     "the name must end in .svg or .png", "");
+  if (threads > 0) omp_set_num_threads(threads);
+}
+
+CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& text, Makes makes,
+                      std::function<int()> action) {
+  CLI::App& command = *parent.add_subcommand(text.name, text.description);
+  command.footer("Example: " + text.example);
+  command.add_option("--json", session.json, "write the result as JSON to FILE (- for standard output)")
+      ->type_name("FILE");
+  if (makes.table)
+    command.add_option("--csv", session.csv, "write the table as CSV to FILE (- for standard output)")
+        ->type_name("FILE");
+  if (makes.plot)
+    command.add_option("--plot", session.plot, "draw to FILE.svg or FILE.png")->type_name("FILE");
+  command.add_option("--threads", session.threads, "threads to use (default: all cores)")
+      ->type_name("N")
+      ->check(thread_count);
+  command.add_flag("--quiet", session.quiet, "no progress and no text");
+  command.final_callback([&session, action = std::move(action)] { session.action = action; });
+  return command;
+}
+
+CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text) {
+  CLI::App& group = *parent.add_subcommand(text.name, text.description);
+  group.footer("Example: " + text.example);
+  group.final_callback([&session, &group] {
+    if (!group.get_subcommands().empty()) return;
+    session.action = [&group] {
+      std::cout << group.help("plumb " + group.get_name());
+      return 0;
+    };
+  });
+  return group;
+}
+
+}  // namespace plumb

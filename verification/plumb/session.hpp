@@ -1,0 +1,68 @@
+#pragma once
+#include <functional>
+#include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "plumbline/output/progress.hpp"
+#include "plumbline/output/table.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace plumb {
+
+/// One call of the program: the options that every subcommand shares, and the only ways out for results.
+/// A subcommand computes first and writes last, so that bad input leaves nothing behind.
+struct Session {
+  std::string json;          ///< --json FILE; "-" is standard output, empty: not asked for
+  std::string csv;           ///< --csv FILE; likewise
+  std::string plot;          ///< --plot FILE.svg|.png
+  int threads = 0;           ///< --threads N; 0: all that OpenMP offers
+  bool quiet = false;        ///< --quiet: no progress, no text, only errors and what was asked for
+  std::string command_line;  ///< "plumb oned study --n 20,40", quoted for a shell
+
+  std::function<int()> action;  ///< the chosen subcommand; returns the exit code (0 done, 1 a check failed)
+
+  /// Text for people: standard output, or nowhere when quiet or when results go to standard output.
+  std::ostream& text() const;
+  /// Progress for long work on standard error, in the style that fits.
+  Progress::Style progress() const { return Progress::style_for_stderr(quiet); }
+
+  /// Writes `result` (an object) to --json, if asked for, with "plumbline", "command" and "provenance" put
+  /// first and non-finite numbers as null with a status. Throws OutputError if that fails.
+  void write_json(const nlohmann::ordered_json& result) const;
+  /// Writes the table to --csv, if asked for.
+  void write_csv(const Table& table) const;
+  /// Writes a JSON array of flat objects ("rows") to --csv, if asked for.
+  void write_csv(const nlohmann::ordered_json& rows) const;
+  /// Shows the table as text and writes it to --csv.
+  void write_table(const nlohmann::ordered_json& rows) const;
+
+  /// Checks the shared options and applies --threads. Throws InputError.
+  void check() const;
+};
+
+/// What a subcommand is called and how it is explained. `example` is one copyable line.
+struct CommandText {
+  std::string name;
+  std::string description;
+  std::string example;
+};
+
+/// What a subcommand can make beside JSON: a table for --csv, a picture for --plot.
+struct Makes {
+  bool table = false;
+  bool plot = false;
+};
+
+/// Adds a subcommand with the shared options to `parent`; `action` runs after parsing and returns the exit
+/// code. The caller adds its own options to the value returned.
+CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& text, Makes makes,
+                      std::function<int()> action);
+
+/// Adds a group of subcommands ("oned"). Called without one of them, it prints its help.
+CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text);
+
+}  // namespace plumb
