@@ -1,0 +1,52 @@
+#include "oned/gradient.hpp"
+
+#include <fmt/format.h>
+
+namespace plumb::oned {
+
+void see(const Cloud<1>& cloud, Window window, double x, std::vector<Neighbour<1>>& neighbourhood) {
+  neighbourhood.clear();
+  for (Index j = window.first; j < window.last; ++j)
+    neighbourhood.push_back({Vec<1>(cloud.X[j][0] - x), cloud.V[j]});
+}
+
+std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kernel, double R,
+                             const Method& method, const std::vector<double>& values) {
+  if (values.size() != cloud.X.size())
+    throw InputError(fmt::format("{} values for {} particles", values.size(), cloud.X.size()),
+                     "one value per particle is needed", "");
+  const StencilFunction<1> stencil = estimator_named<1>(method.estimator);
+  const double h = R / kernel.support;
+  const std::vector<Window> supports = windows(cloud, R);
+  std::vector<Neighbour<1>> neighbourhood;
+  std::vector<double> F(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    see(cloud, supports[i], cloud.X[i][0], neighbourhood);
+    const auto c = stencil(neighbourhood, correct<1>(method.pair, kernel, h, neighbourhood));
+    double sum = 0;
+    for (std::size_t k = 0; k < c.size(); ++k)
+      sum += (values[static_cast<std::size_t>(supports[i].first) + k] - values[i]) * c[k][0];
+    F[i] = sum;
+  }
+  return F;
+}
+
+std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
+                                       const std::vector<Method>& methods) {
+  const Cloud<1> cloud = make_cloud(discretisation);
+  const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
+  std::vector<GradientRow> rows;
+  for (const Field& field : fields) {
+    const std::vector<double> x = values(field, cloud.X);
+    const std::vector<double> exact = derivatives(field, cloud.X);
+    for (const Method& method : methods) {
+      const std::vector<double> F = estimate(cloud, kernel, discretisation.support(), method, x);
+      for (std::size_t i = 0; i < F.size(); ++i)
+        rows.push_back(
+            {method.estimator, method.pair, field.text, cloud.X[i][0], exact[i], F[i], F[i] - exact[i]});
+    }
+  }
+  return rows;
+}
+
+}  // namespace plumb::oned

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oned/cloud.hpp"
+#include "plumbline/gradient/correction.hpp"
+#include "plumbline/gradient/estimator.hpp"
+
+namespace plumb::oned {
+
+/// A way to estimate a gradient: estimator (standard, bond, improved, ..) and corrected kernel pair.
+struct Method {
+  std::string estimator = "improved";
+  Pair pair = Pair::W1;
+};
+
+/// All particles of a window as seen from x, into `neighbourhood` (cleared first).
+void see(const Cloud<1>& cloud, Window window, double x, std::vector<Neighbour<1>>& neighbourhood);
+
+/// dx/dX at every particle from the values at the particles, in difference form:
+/// F_i = sum_j (x_j - x_i) c_ij, with c from the correction and estimator catalogues of lib/gradient.
+/// `values` has one entry per particle. Time and memory: linear in particles times neighbours, and in
+/// particles. InputError as windows() and estimator_named().
+std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kernel, double R,
+                             const Method& method, const std::vector<double>& values);
+
+/// One line of `plumb oned gradient`.
+struct GradientRow {
+  std::string estimator;
+  Pair pair;
+  std::string field;
+  double X;      ///< [m]
+  double exact;  ///< dx/dX
+  double value;  ///< its estimate
+  double error;  ///< value - exact
+};
+
+/// Every field by every method at every particle.
+std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
+                                       const std::vector<Method>& methods);
+
+}  // namespace plumb::oned

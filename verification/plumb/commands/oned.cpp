@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "oned/explorer.hpp"
+#include "oned/response.hpp"
+#include "oned/study.hpp"
+#include "plumb/commands.hpp"
+#include "plumb/oned_options.hpp"
+#include "plumb/session.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Options = std::shared_ptr<OnedOptions>;
+
+Json number(double value) {
+  return value;
+}
+Json number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+void warn(const Session& session, const std::vector<std::string>& warnings) {
+  if (session.quiet) return;
+  for (const auto& text : warnings) std::cerr << "plumb: warning: " << text << '\n';
+}
+
+int kernels(const Session& session, const OnedOptions& options, double at) {
+  const oned::Discretisation d = options.discretisation();
+  const oned::KernelView view = oned::explore(d, at);
+  warn(session, oned::warnings(d, {}));
+  Json rows = Json::array();
+  for (const auto& r : view.rows)
+    rows.push_back({{"x", r.x},
+                    {"W", r.W},
+                    {"W0", r.W0},
+                    {"W1", r.W1},
+                    {"gradW", r.gradW},
+                    {"LgradW", r.LgradW},
+                    {"gradW0", r.gradW0},
+                    {"LgradW0", r.LgradW0},
+                    {"gradW1", r.gradW1}});
+  Json sums = Json::object();
+  for (const auto& [name, sum] : view.sums) sums[name] = sum;
+  session.text() << fmt::format("x = {:g} m, R = {:g} m, h = {:g} m, alpha = {:.12g}, beta = {:.12g} 1/m\n",
+                                view.at, view.R, view.h, view.alpha, view.beta);
+  for (const auto& [name, sum] : view.sums)
+    session.text() << fmt::format("  sum {:<10} {: .12g}\n", name, sum);
+  session.write_table(rows);
+  Json parameters = parameters_of(options);
+  parameters["n"] = d.n;
+  session.write_json({{"parameters", parameters},
+                      {"at", view.at},
+                      {"dx", view.dx},
+                      {"radius", view.R},
+                      {"h", view.h},
+                      {"alpha", view.alpha},
+                      {"beta", view.beta},
+                      {"sums", sums},
+                      {"rows", rows}});
+  return 0;
+}
+
+int gradient(const Session& session, const OnedOptions& options) {
+  const oned::Discretisation d = options.discretisation();
+  const auto fields = options.parsed_fields();
+  const auto result = oned::gradient_rows(d, fields, options.methods());
+  warn(session, oned::warnings(d, fields));
+  Json rows = Json::array();
+  for (const auto& r : result)
+    rows.push_back({{"estimator", r.estimator},
+                    {"pair", name_of(r.pair)},
+                    {"field", r.field},
+                    {"X", r.X},
+                    {"exact", r.exact},
+                    {"value", r.value},
+                    {"error", r.error}});
+  session.write_table(rows);
+  Json parameters = parameters_of(options);
+  parameters["n"] = d.n;
+  session.write_json({{"parameters", parameters}, {"dx", d.dx()}, {"radius", d.support()}, {"rows", rows}});
+  return 0;
+}
+
+Json study_row(const oned::StudyRow& r) {
+  Json row{{"n", r.n},
+           {"dx", r.dx},
+           {"radius", r.radius},
+           {"field", r.field},
+           {"estimator", r.estimator},
+           {"pair", name_of(r.pair)},
+           {"rmse", r.norms.rmse},
+           {"max", r.norms.max},
+           {"interior_rmse", number(r.norms.interior_rmse)},
+           {"interior_max", number(r.norms.interior_max)},
+           {"boundary_max", number(r.norms.boundary_max)},
+           {"cpu_s", number(r.cpu_s)}};
+  if (!r.norms.interior_rmse) row["status"] = "no interior particles: 2R <= X <= L - 2R is empty";
+  return row;
+}
+
+Json study_fit(const oned::StudyFit& f) {
+  Json fit{{"field", f.field},
+           {"estimator", f.estimator},
+           {"pair", name_of(f.pair)},
+           {"norm", f.norm},
+           {"order", f.fit.order},
+           {"ci95", {f.fit.lower, f.fit.upper}},
+           {"pairwise", f.fit.pairwise},
+           {"drift", f.fit.drift},
+           {"levels", f.fit.levels.size()},
+           {"verdict", name_of(f.trend)}};
+  return fit;
+}
+
+/// The warnings of all levels, each text once.
+std::vector<std::string> study_warnings(const OnedOptions& options, const std::vector<oned::Field>& fields) {
+  std::vector<std::string> all;
+  oned::Discretisation level = options.discretisation();
+  for (const Index n : options.n) {
+    level.n = n;
+    for (const auto& text : oned::warnings(level, fields))
+      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  }
+  return all;
+}
+
+int study(const Session& session, OnedOptions options) {
+  if (options.n.empty()) options.n = {20, 40, 80, 160, 320};
+  const auto fields = options.parsed_fields();
+  const auto result = oned::refine(options.discretisation(), options.n, fields, options.methods());
+  warn(session, study_warnings(options, fields));
+  Json rows = Json::array(), fits = Json::array();
+  for (const auto& r : result.rows) rows.push_back(study_row(r));
+  session.write_table(rows);
+  session.text() << '\n';
+  for (const auto& f : result.fits) {
+    fits.push_back(study_fit(f));
+    session.text() << fmt::format("{} {} {} {}: order {:.4f} [{:.4f}, {:.4f}] from {} levels, {}\n", f.field,
+                                  f.estimator, name_of(f.pair), f.norm, f.fit.order, f.fit.lower, f.fit.upper,
+                                  f.fit.levels.size(), name_of(f.trend));
+  }
+  session.write_json({{"parameters", parameters_of(options)}, {"rows", rows}, {"fits", fits}});
+  return 0;
+}
+
+int response(const Session& session, const OnedOptions& options, Index points) {
+  const oned::Discretisation d = options.discretisation();
+  const auto result = oned::response_rows(d.kernel, d.support() / d.dx(), options.methods(), points);
+  Json rows = Json::array();
+  for (const auto& r : result)
+    rows.push_back(
+        {{"theta", r.theta}, {"estimator", r.estimator}, {"pair", name_of(r.pair)}, {"value", r.value}});
+  session.write_table(rows);
+  session.write_json(
+      {{"parameters", parameters_of(options)}, {"radius_over_dx", d.support() / d.dx()}, {"rows", rows}});
+  return 0;
+}
+
+void add_kernels(CLI::App& group, Session& session) {
+  const auto options = std::make_shared<OnedOptions>();
+  const auto at = std::make_shared<double>(0);
+  CLI::App& command =
+      add_command(group, session,
+                  {"kernels", "kernels and gradients as seen from one point",
+                   "plumb oned kernels --at 0 --length 2 --n 200 --radius 1"},
+                  {.table = true}, [&session, options, at] { return kernels(session, *options, *at); });
+  command.add_option("--at", *at, "the evaluation point x in [0, L], a particle or not [m]")->required();
+  add_cloud_options(command, *options, false);
+}
+
+void add_gradient(CLI::App& group, Session& session) {
+  const auto options = std::make_shared<OnedOptions>();
+  CLI::App& command =
+      add_command(group, session,
+                  {"gradient", "estimates of a gradient at every particle",
+                   "plumb oned gradient --field poly:1,1 --estimator standard,bond,improved"},
+                  {.table = true}, [&session, options] { return gradient(session, *options); });
+  add_cloud_options(command, *options, false);
+  add_field_option(command, *options);
+  add_method_options(command, *options);
+}
+
+void add_study(CLI::App& group, Session& session) {
+  const auto options = std::make_shared<OnedOptions>();
+  CLI::App& command = add_command(
+      group, session,
+      {"study", "error under refinement, with fitted orders",
+       "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160 --estimator improved --pair W1 --json -"},
+      {.table = true}, [&session, options] { return study(session, *options); });
+  add_cloud_options(command, *options, true);
+  add_field_option(command, *options);
+  add_method_options(command, *options);
+}
+
+void add_response(CLI::App& group, Session& session) {
+  const auto options = std::make_shared<OnedOptions>();
+  const auto points = std::make_shared<Index>(100);
+  CLI::App& command = add_command(
+      group, session,
+      {"response", "response inside a uniform lattice to exp(ikX)",
+       "plumb oned response --estimator standard,bond,improved --radius-over-dx 4"},
+      {.table = true}, [&session, options, points] { return response(session, *options, *points); });
+  add_cloud_options(command, *options, false);
+  add_method_options(command, *options);
+  command.add_option("--points", *points, "number of theta = k dx, evenly up to pi")->capture_default_str();
+}
+
+}  // namespace
+
+/// `plumb oned`: the one-dimensional study of gradient estimates.
+void add_oned(CLI::App& program, Session& session) {
+  CLI::App& group =
+      add_command_group(program, session,
+                        {"oned", "gradient estimates in one dimension: kernels, gradient, study, response",
+                         "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160"});
+  add_kernels(group, session);
+  add_gradient(group, session);
+  add_study(group, session);
+  add_response(group, session);
+}
+
+}  // namespace plumb
