@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, int error) {
-  throw OutputError(fmt::format("cannot write {} ({})", path.string(), std::strerror(error)));
-}
-
 /// All of `content` to the new or truncated file; the error number, 0 for none.
 int write_all(const fs::path& path, std::string_view content) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -44,6 +40,10 @@ bool is_special(const fs::path& path) {
 
 }  // namespace
 
+void throw_write_error(const fs::path& path, int error) {
+  throw OutputError(fmt::format("cannot write {} ({})", path.string(), std::strerror(error)));
+}
+
 void require_writable(const fs::path& path, std::string_view option) {
   const auto refuse = [&](std::string why, std::string suggestion) {
     throw InputError(fmt::format("{}: cannot write \"{}\"", option, path.string()), std::move(why),
@@ -61,7 +61,7 @@ void require_writable(const fs::path& path, std::string_view option) {
 
 void replace_file(const fs::path& path, std::string_view content) {
   if (is_special(path)) {
-    if (const int error = write_all(path, content)) fail(path, error);
+    if (const int error = write_all(path, content)) throw_write_error(path, error);
     return;
   }
   std::error_code ignored;
@@ -72,7 +72,7 @@ void replace_file(const fs::path& path, std::string_view content) {
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error == 0) return;
   ::unlink(temporary.c_str());
-  fail(path, error);
+  throw_write_error(path, error);
 }
 
 }  // namespace plumb

@@ -12,6 +12,9 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws OutputError with the file and the text of the system's error number.
+[[noreturn]] void throw_write_error(const std::filesystem::path& path, int error);
+
 /// InputError unless a file can be made at `path`: its folder exists and can be written, and it is no folder
 /// itself. Nothing is written. `option` names what gave the path, for the message ("--json").
 void require_writable(const std::filesystem::path& path, std::string_view option);

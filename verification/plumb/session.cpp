@@ -28,6 +28,11 @@ void check_file(const std::string& file, const char* option) {
   if (!file.empty() && file != "-") require_writable(file, option);
 }
 
+/// The complaint about a file name, empty if there is none.
+std::string file_name(const std::string& text) {
+  return text.empty() ? "the file name is empty" : "";
+}
+
 /// The complaint about the value of --threads, empty if there is none.
 std::string thread_count(const std::string& text) {
   const bool whole =
@@ -67,8 +72,10 @@ void Session::write_table(const nlohmann::ordered_json& rows) const {
 }
 
 void Session::check() const {
-  if (json == "-" && csv == "-")
-    throw InputError("--json - and --csv - together", "both want standard output", "give one of them a file");
+  for (const auto& [file, other] : {std::pair(&json, &csv), std::pair(&json, &plot), std::pair(&csv, &plot)})
+    if (!file->empty() && *file == *other)
+      throw InputError(fmt::format("\"{}\" is named for two results", *file), "one would replace the other",
+                       "give each its own file");
   check_file(json, "--json");
   check_file(csv, "--csv");
   check_file(plot, "--plot");
@@ -84,12 +91,16 @@ CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& tex
   CLI::App& command = *parent.add_subcommand(text.name, text.description);
   command.footer("Example: " + text.example);
   command.add_option("--json", session.json, "write the result as JSON to FILE (- for standard output)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(file_name);
   if (makes.table)
     command.add_option("--csv", session.csv, "write the table as CSV to FILE (- for standard output)")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(file_name);
   if (makes.plot)
-    command.add_option("--plot", session.plot, "draw to FILE.svg or FILE.png")->type_name("FILE");
+    command.add_option("--plot", session.plot, "draw to FILE.svg or FILE.png")
+        ->type_name("FILE")
+        ->check(file_name);
   command.add_option("--threads", session.threads, "threads to use (default: all cores)")
       ->type_name("N")
       ->check(thread_count);

@@ -1,0 +1,55 @@
+#include "plumbline/output/series.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "plumbline/output/file.hpp"
+#include "plumbline/output/table.hpp"
+
+namespace plumb {
+CsvSeries::CsvSeries(const std::filesystem::path& file, const std::vector<std::string>& columns)
+    : file_name_(file),
+      columns_(columns.size()),
+      file_(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)) {
+  if (file_ < 0) throw_write_error(file_name_, errno);
+  std::string heading;
+  for (const auto& column : columns) heading += (heading.empty() ? "" : ",") + csv_cell(column);
+  try {
+    add_line(heading + "\n");
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+CsvSeries::~CsvSeries() {
+  ::fsync(file_);
+  ::close(file_);
+}
+
+void CsvSeries::append(std::span<const double> values) {
+  if (values.size() != columns_)
+    throw std::invalid_argument(fmt::format("{} values for {} columns", values.size(), columns_));
+  std::string line;
+  for (const double value : values) line += fmt::format("{}{:.17g}", line.empty() ? "" : ",", value);
+  add_line(line + "\n");
+}
+
+void CsvSeries::add_line(const std::string& line) {
+  const off_t before = ::lseek(file_, 0, SEEK_END);
+  ssize_t written = 0;
+  do written = ::write(file_, line.data(), line.size());
+  while (written < 0 && errno == EINTR);
+  if (written == static_cast<ssize_t>(line.size())) return;
+  const int error = written < 0 ? errno : ENOSPC;
+  const bool whole = written <= 0 || (before >= 0 && ::ftruncate(file_, before) == 0);
+  if (!whole) throw OutputError(fmt::format("{}: the last line is incomplete ({})", file_name_.string(), std::strerror(error)));
+  throw_write_error(file_name_, error);
+}
+
+}  // namespace plumb

@@ -1,0 +1,60 @@
+#include "plumbline/output/file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "plumbline/core/error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(File, ReplacesTheWholeContent) {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a.json", std::string(100000, 'x'));
+  replace_file(folder / "a.json", "short");
+  EXPECT_EQ(test::content_of(folder / "a.json"), "short");
+  EXPECT_EQ(files_in(folder.path()), 1U) << "the temporary file must be gone";
+}
+
+TEST(File, FollowsASymbolicLink) {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "real", "old");
+  fs::create_symlink(folder / "real", folder / "link");
+  replace_file(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(test::content_of(folder / "real"), "new");
+}
+
+TEST(File, AFullDiskIsAnOutputErrorThatNamesTheFile) {
+  try {
+    replace_file("/dev/full", "content");
+    FAIL() << "no error";
+  } catch (const OutputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/dev/full"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos);
+  }
+}
+
+TEST(File, AFolderThatVanishedLeavesNothing) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(replace_file(folder / "gone/a.json", "x"), OutputError);
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
+TEST(File, BadPlacesAreRefusedAtTheDoorAndNothingIsMade) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(require_writable(folder / "gone/a.json", "--json"), InputError);
+  EXPECT_THROW(require_writable(folder.path(), "--json"), InputError);
+  EXPECT_THROW(require_writable("", "--json"), InputError);
+  EXPECT_NO_THROW(require_writable(folder / "a.json", "--json"));
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
+}  // namespace
+}  // namespace plumb
