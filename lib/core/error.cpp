@@ -44,8 +44,8 @@ std::string join(const std::vector<std::string>& names, std::string_view separat
 
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string>& valid) {
   const std::string near = nearest_name(name, valid);
-  return InputError("unknown " + std::string(what) + " \"" + std::string(name) + "\"", "valid: " + join(valid),
-                    near.empty() ? "" : "did you mean \"" + near + "\"?");
+  return InputError("unknown " + std::string(what) + " \"" + std::string(name) + "\"",
+                    "valid: " + join(valid), near.empty() ? "" : "did you mean \"" + near + "\"?");
 }
 
 }  // namespace plumb

@@ -21,7 +21,8 @@ class InputError : public std::runtime_error {
   const std::string& suggestion() const { return suggestion_; }
 
  private:
-  static std::string compose(const std::string& problem, const std::string& why, const std::string& suggestion) {
+  static std::string compose(const std::string& problem, const std::string& why,
+                             const std::string& suggestion) {
     return problem + (why.empty() ? "" : " (" + why + ")") + (suggestion.empty() ? "" : " " + suggestion);
   }
   std::string problem_, why_, suggestion_;

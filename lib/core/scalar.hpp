@@ -5,8 +5,12 @@
 namespace plumb {
 
 /// x^(-1/3). Found by argument-dependent lookup for other scalar types (Pack has its own in core/pack.hpp).
-inline double reciprocal_cbrt(double x) { return 1 / std::cbrt(x); }
-inline long double reciprocal_cbrt(long double x) { return 1 / std::cbrt(x); }
+inline double reciprocal_cbrt(double x) {
+  return 1 / std::cbrt(x);
+}
+inline long double reciprocal_cbrt(long double x) {
+  return 1 / std::cbrt(x);
+}
 
 /// The principal branch, as complex-step derivatives need it.
 template <class R>

@@ -28,18 +28,20 @@ struct Cloud {
   Index size() const { return static_cast<Index>(X.size()); }
 };
 
-/// Number of lattice cells per axis for a spacing. InputError if the spacing does not divide the size (to 1e-6).
+/// Number of lattice cells per axis for a spacing. InputError if the spacing does not divide the size (to
+/// 1e-6).
 template <int d>
 std::array<Index, d> cells_of(const Box<d>& box, double spacing);
 
-/// A lattice that fills the box. cell: one particle in the middle of each cell, V = product of cell sizes. node: a
-/// particle on each cell corner with tributary volumes (half on faces, quarter on edges, eighth at corners).
-/// The longest axis runs fastest, so that lines of equal neighbourhoods are long.
+/// A lattice that fills the box. cell: one particle in the middle of each cell, V = product of cell sizes.
+/// node: a particle on each cell corner with tributary volumes (half on faces, quarter on edges, eighth at
+/// corners). The longest axis runs fastest, so that lines of equal neighbourhoods are long.
 template <int d>
 Cloud<d> lattice(const Box<d>& box, const std::array<Index, d>& cells, Layout layout);
 
-/// Moves every particle by up to `fraction` of the spacing in each direction (uniform, seeded; the same on every
-/// machine) and gives it its Voronoi volume, clipped by the box. On node layouts the particles on faces stay.
+/// Moves every particle by up to `fraction` of the spacing in each direction (uniform, seeded; the same on
+/// every machine) and gives it its Voronoi volume, clipped by the box. On node layouts the particles on faces
+/// stay.
 template <int d>
 Cloud<d> jittered(Cloud<d> cloud, double fraction, std::uint64_t seed, Layout layout);
 

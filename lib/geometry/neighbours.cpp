@@ -25,10 +25,12 @@ struct Points {
 
 template <int d>
 struct NeighbourSearch<d>::Tree {
-  using Kd = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points<d>>, Points<d>, d, std::size_t>;
+  using Kd = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points<d>>, Points<d>,
+                                                 d, std::size_t>;
   Points<d> points;
   Kd index;
-  explicit Tree(const std::vector<Vec<d>>& X) : points{X}, index(d, points, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
+  explicit Tree(const std::vector<Vec<d>>& X)
+      : points{X}, index(d, points, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
 };
 
 template <int d>

@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// Neighbour search in any cloud (nanoflann k-d tree). Points are neighbours if r < R (1 - 1e-12): at exactly R the kernel
-/// is zero, and rounding must not decide. The cloud must outlive the search.
+/// Neighbour search in any cloud (nanoflann k-d tree). Points are neighbours if r < R (1 - 1e-12): at exactly
+/// R the kernel is zero, and rounding must not decide. The cloud must outlive the search.
 template <int d>
 class NeighbourSearch {
  public:

@@ -10,15 +10,16 @@ namespace {
 constexpr std::array<std::pair<Pair, std::string_view>, 4> pair_names = {
     {{Pair::none, "none"}, {Pair::W0raw, "W0raw"}, {Pair::W0, "W0"}, {Pair::W1, "W1"}}};
 
-/// Kernel moments at the evaluation point and their derivatives with respect to it, in units of h: (2.3), (A.3), (A.6).
+/// Kernel moments at the evaluation point and their derivatives with respect to it, in units of h: (2.3),
+/// (A.3), (A.6).
 template <int d>
 struct Moments {
   double m0 = 0;
   Vec<d> m1 = Vec<d>::Zero();
   Mat<d> m2 = Mat<d>::Zero();
-  Vec<d> dm0 = Vec<d>::Zero();           // d/dk m0
-  Mat<d> dm1 = Mat<d>::Zero();           // column k: d/dk m1
-  std::array<Mat<d>, d> dm2;             // d/dk m2
+  Vec<d> dm0 = Vec<d>::Zero();  // d/dk m0
+  Mat<d> dm1 = Mat<d>::Zero();  // column k: d/dk m1
+  std::array<Mat<d>, d> dm2;    // d/dk m2
   Moments() { dm2.fill(Mat<d>::Zero()); }
 };
 
@@ -100,7 +101,9 @@ void first_order(CorrectedKernel<d>& k, Neighbourhood<d> neighbours, double h) {
 
 }  // namespace
 
-std::string_view name_of(Pair pair) { return pair_names[static_cast<std::size_t>(pair)].second; }
+std::string_view name_of(Pair pair) {
+  return pair_names[static_cast<std::size_t>(pair)].second;
+}
 
 Pair pair_named(std::string_view name) {
   std::vector<std::string> valid;
@@ -124,7 +127,8 @@ int independent_directions(Neighbourhood<d> neighbours) {
   }
   if (count == 0) return 0;
   Eigen::FullPivLU<Mat<d>> lu(directions);
-  lu.setThreshold(1e-12);  // directions closer than 1e-6 rad count as one: the pivot shows the square of the angle
+  lu.setThreshold(
+      1e-12);  // directions closer than 1e-6 rad count as one: the pivot shows the square of the angle
   return static_cast<int>(lu.rank());
 }
 

@@ -19,8 +19,8 @@ std::string_view name_of(Pair pair);
 /// The pair of that name; InputError names the nearest valid one.
 Pair pair_named(std::string_view name);
 
-/// Corrected kernel and gradient at one particle, in the order of its neighbourhood and multiplied by the volume.
-/// The gradient is the one with respect to the position X_i of the evaluation point.
+/// Corrected kernel and gradient at one particle, in the order of its neighbourhood and multiplied by the
+/// volume. The gradient is the one with respect to the position X_i of the evaluation point.
 template <int d>
 struct CorrectedKernel {
   std::vector<double> weight;    ///< V_j W~_ij, dimensionless
@@ -29,9 +29,9 @@ struct CorrectedKernel {
   Vec<d> beta = Vec<d>::Zero();  ///< of (6), (7) [1/m]; zero unless W1
 };
 
-/// Evaluates the pair at the point from which the neighbourhood is seen. All sums are formed in units of h, so that
-/// nothing under- or overflows whatever the size of the body. THEORY (2.1)-(2.8).
-/// Throws InputError if a correction needs d independent neighbours and there are fewer.
+/// Evaluates the pair at the point from which the neighbourhood is seen. All sums are formed in units of h,
+/// so that nothing under- or overflows whatever the size of the body. THEORY (2.1)-(2.8). Throws InputError
+/// if a correction needs d independent neighbours and there are fewer.
 template <int d>
 CorrectedKernel<d> correct(Pair pair, const RadialKernel<d>& kernel, double h, Neighbourhood<d> neighbours);
 
@@ -39,7 +39,8 @@ CorrectedKernel<d> correct(Pair pair, const RadialKernel<d>& kernel, double h, N
 template <int d>
 void normalise_gradient(Neighbourhood<d> neighbours, std::vector<Vec<d>>& gradient);
 
-/// Number of independent directions among the neighbours (0 to d); geometry only, no kernel values, no lengths.
+/// Number of independent directions among the neighbours (0 to d); geometry only, no kernel values, no
+/// lengths.
 template <int d>
 int independent_directions(Neighbourhood<d> neighbours);
 

@@ -37,8 +37,7 @@ constexpr RadialKernel<d> radial_kernel() {
 template <int d>
 RadialKernel<d> kernel_named(std::string_view name) {
   RadialKernel<d> kernel{};
-  if (!with_named(KernelCatalogue{}, name,
-                  [&]<class K>(Type<K>) { kernel = radial_kernel<d, K>(); }))
+  if (!with_named(KernelCatalogue{}, name, [&]<class K>(Type<K>) { kernel = radial_kernel<d, K>(); }))
     throw unknown_name("kernel", name, names_of(KernelCatalogue{}));
   return kernel;
 }

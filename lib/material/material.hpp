@@ -13,17 +13,17 @@ struct Elastic {
   double poisson;  ///< nu, dimensionless
   double density;  ///< rho_0 [kg/m^3]
 
-  double shear_modulus() const { return young / (2 * (1 + poisson)); }          ///< mu [Pa]
-  double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }       ///< kappa [Pa], three-dimensional
-  double lame() const { return bulk_modulus() - 2.0 / 3 * shear_modulus(); }    ///< lambda [Pa]
+  double shear_modulus() const { return young / (2 * (1 + poisson)); }     ///< mu [Pa]
+  double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }  ///< kappa [Pa], three-dimensional
+  double lame() const { return bulk_modulus() - 2.0 / 3 * shear_modulus(); }  ///< lambda [Pa]
   /// Speed of pressure waves C_p^Lin of (32) [m/s].
   double wave_speed() const { return std::sqrt((lame() + 2 * shear_modulus()) / density); }
   double shear_wave_speed() const { return std::sqrt(shear_modulus() / density); }  ///< [m/s]
 };
 
-/// A hyperelastic material: energy density W(F) [Pa] and first Piola-Kirchhoff stress P = dW/dF [Pa], for any scalar
-/// type with arithmetic and reciprocal_cbrt (double, complex, autodiff, Pack). In 2D the strain is plane: F_33 = 1.
-/// A new material is one file in models/ with a constructor from Elastic.
+/// A hyperelastic material: energy density W(F) [Pa] and first Piola-Kirchhoff stress P = dW/dF [Pa], for any
+/// scalar type with arithmetic and reciprocal_cbrt (double, complex, autodiff, Pack). In 2D the strain is
+/// plane: F_33 = 1. A new material is one file in models/ with a constructor from Elastic.
 template <class M, int d>
 concept Material = std::constructible_from<M, Elastic> && requires(const M& m, const Mat<d>& F) {
   { M::name } -> std::convertible_to<std::string_view>;
@@ -39,7 +39,8 @@ T determinant(const Mat<d, T>& F) {
   else if constexpr (d == 2)
     return F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
   else
-    return F(0, 0) * (F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1)) - F(0, 1) * (F(1, 0) * F(2, 2) - F(1, 2) * F(2, 0)) +
+    return F(0, 0) * (F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1)) -
+           F(0, 1) * (F(1, 0) * F(2, 2) - F(1, 2) * F(2, 0)) +
            F(0, 2) * (F(1, 0) * F(2, 1) - F(1, 1) * F(2, 0));
 }
 
@@ -64,7 +65,8 @@ Mat<d, T> cofactor(const Mat<d, T>& F) {
   return C;
 }
 
-/// F : F of the three-dimensional deformation gradient: the directions that the dimension leaves out count 1 each.
+/// F : F of the three-dimensional deformation gradient: the directions that the dimension leaves out count 1
+/// each.
 template <int d, class T>
 T first_invariant(const Mat<d, T>& F) {
   T sum = T(3 - d);

@@ -6,8 +6,9 @@
 
 namespace plumb {
 
-/// The plain bond-based estimate (34)-(35): the average of the pairwise gradients without the particle's own bond,
-/// c_ij = V_j W~_ij e_ij / r_ij. Not consistent: on x = X it gives sum_j V_j W~_ij - V_i W~_ii in 1D. THEORY (3.3).
+/// The plain bond-based estimate (34)-(35): the average of the pairwise gradients without the particle's own
+/// bond, c_ij = V_j W~_ij e_ij / r_ij. Not consistent: on x = X it gives sum_j V_j W~_ij - V_i W~_ii in 1D.
+/// THEORY (3.3).
 struct Bond {
   static constexpr std::string_view name = "bond";
 

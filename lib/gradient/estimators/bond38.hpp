@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// (37) with (38) as printed: the pairwise gradients are of rank one, so that even the identity map is not reproduced
-/// in 2D and 3D. Kept to show that it fails its patch test. THEORY (3.4).
+/// (37) with (38) as printed: the pairwise gradients are of rank one, so that even the identity map is not
+/// reproduced in 2D and 3D. Kept to show that it fails its patch test. THEORY (3.4).
 struct Bond38 {
   static constexpr std::string_view name = "bond38";
 

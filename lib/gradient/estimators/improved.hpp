@@ -6,9 +6,9 @@
 
 namespace plumb {
 
-/// The paper's improved bond-based estimate, (36) in 1D and (37) with (39) in 2D and 3D, as a constant stencil:
-/// c_ij = (S I - A_i) g_ij + w_ij e_ij / r_ij, w = V W~, g = V grad W~, S = sum_j w_ij (1 for corrected kernels),
-/// A_i = sum_{j != i} w_ij e_ij (x) e_ij. THEORY (3.5).
+/// The paper's improved bond-based estimate, (36) in 1D and (37) with (39) in 2D and 3D, as a constant
+/// stencil: c_ij = (S I - A_i) g_ij + w_ij e_ij / r_ij, w = V W~, g = V grad W~, S = sum_j w_ij (1 for
+/// corrected kernels), A_i = sum_{j != i} w_ij e_ij (x) e_ij. THEORY (3.5).
 struct Improved {
   static constexpr std::string_view name = "improved";
 

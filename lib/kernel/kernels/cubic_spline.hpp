@@ -11,7 +11,9 @@ struct CubicSpline {
   static constexpr double support = 2;
 
   template <int d>
-  static constexpr double scale = d == 1 ? 2.0 / 3 : d == 2 ? 10 / (7 * std::numbers::pi) : 1 / std::numbers::pi;
+  static constexpr double scale = d == 1   ? 2.0 / 3
+                                  : d == 2 ? 10 / (7 * std::numbers::pi)
+                                           : 1 / std::numbers::pi;
 
   template <int d>
   static double w(double q) {

@@ -12,8 +12,9 @@ struct Quadratic {
   static constexpr bool cusp = true;  ///< dw(0) != 0
 
   template <int d>
-  static constexpr double scale =
-      d == 1 ? 0.75 : d == 2 ? 3 / (2 * std::numbers::pi) : 15 / (16 * std::numbers::pi);
+  static constexpr double scale = d == 1   ? 0.75
+                                  : d == 2 ? 3 / (2 * std::numbers::pi)
+                                           : 15 / (16 * std::numbers::pi);
 
   template <int d>
   static double w(double q) {

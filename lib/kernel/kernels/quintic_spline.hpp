@@ -11,8 +11,9 @@ struct QuinticSpline {
   static constexpr double support = 3;
 
   template <int d>
-  static constexpr double scale =
-      d == 1 ? 1.0 / 120 : d == 2 ? 7 / (478 * std::numbers::pi) : 1 / (120 * std::numbers::pi);
+  static constexpr double scale = d == 1   ? 1.0 / 120
+                                  : d == 2 ? 7 / (478 * std::numbers::pi)
+                                           : 1 / (120 * std::numbers::pi);
 
   template <int d>
   static double w(double q) {

@@ -4,8 +4,8 @@
 
 namespace plumb {
 
-/// Wendland C2, support 2h. 2D and 3D: s (1 - q/2)^4 (2q + 1), s = 7/(4 pi), 21/(16 pi). In 1D the function that
-/// is positive definite has its own polynomial: 5/8 (1 - q/2)^3 (3q/2 + 1). THEORY (1.4).
+/// Wendland C2, support 2h. 2D and 3D: s (1 - q/2)^4 (2q + 1), s = 7/(4 pi), 21/(16 pi). In 1D the function
+/// that is positive definite has its own polynomial: 5/8 (1 - q/2)^3 (3q/2 + 1). THEORY (1.4).
 struct WendlandC2 {
   static constexpr std::string_view name = "wendland-c2";
   static constexpr double support = 2;

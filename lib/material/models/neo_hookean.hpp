@@ -6,7 +6,8 @@
 
 namespace plumb {
 
-/// Nearly incompressible neo-Hookean rubber, (17), (18) and (47b) of paper 000; plane strain in 2D. THEORY (4.2), (4.3).
+/// Nearly incompressible neo-Hookean rubber, (17), (18) and (47b) of paper 000; plane strain in 2D. THEORY
+/// (4.2), (4.3).
 ///   W = mu/2 (J^-2/3 F:F - 3) + kappa/2 (J - 1)^2
 ///   P = kappa (J - 1) cof F + mu J^-2/3 (F - (F:F)/(3 J) cof F)
 struct NeoHookean {

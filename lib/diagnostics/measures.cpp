@@ -1,0 +1,121 @@
+#include "plumbline/diagnostics/measures.hpp"
+
+namespace plumb {
+namespace {
+
+template <int d>
+Vec<3> in_space(const Vec<d>& v) {
+  Vec<3> w = Vec<3>::Zero();
+  w.template head<d>() = v;
+  return w;
+}
+
+/// Sums in blocks of particles, in a fixed order.
+template <class T, class F>
+T sum_over_particles(Index n, T zero, F&& add) {
+  const Index per_part = 4096;
+  std::vector<T> parts((n + per_part - 1) / per_part, zero);
+#pragma omp parallel for schedule(static)
+  for (Index p = 0; p < static_cast<Index>(parts.size()); ++p)
+    for (Index i = p * per_part; i < std::min(n, (p + 1) * per_part); ++i) add(parts[p], i);
+  T sum = zero;
+  for (const T& part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace
+
+template <int d>
+Energy energy_of(const Solid<d>& solid, const State<d>& state) {
+  const double twice_kinetic = sum_over_blocks(solid, [&](const Block& block) {
+    double sum = 0;
+    for (Index i = block.begin(); i < block.end(); ++i)
+      sum += solid.volume[i] * vector_at<d>(state.v, i).squaredNorm();
+    return sum;
+  });
+  const double strain = sum_over_blocks(solid, [&](const Block& block) {
+    return solid.sweeps.energy(solid.bonds, state.u, block, solid.volume.data());
+  });
+  return {0.5 * solid.elastic.density * twice_kinetic, strain};
+}
+
+template <int d>
+Momentum momentum_of(const Solid<d>& solid, const State<d>& state) {
+  using Sums = Eigen::Matrix<double, 8, 1>;
+  const Sums sums = sum_over_particles(solid.cloud.size(), Sums(Sums::Zero()), [&](Sums& sum, Index i) {
+    const Vec<3> v = in_space<d>(vector_at<d>(state.v, solid.bonds.slots.of(i)));
+    const Vec<3> x = in_space<d>(position_of(solid, state, i));
+    const double m = solid.elastic.density * solid.cloud.V[i];
+    Vec<3> L(x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]);
+    sum.head<3>() += m * v;
+    sum.segment<3>(3) += m * L;
+    sum[6] += m * v.norm();
+    sum[7] += m * x.norm() * v.norm();
+  });
+  Momentum p;
+  for (int k = 0; k < 3; ++k) p.linear[k] = sums[k], p.angular[k] = sums[3 + k];
+  p.linear_scale = sums[6];
+  p.angular_scale = sums[7];
+  return p;
+}
+
+template <int d>
+Extent<d> extent_of(const Solid<d>& solid, const State<d>& state) {
+  Extent<d> e{position_of(solid, state, 0), position_of(solid, state, 0)};
+  for (Index i = 1; i < solid.cloud.size(); ++i) {
+    const Vec<d> x = position_of(solid, state, i);
+    e.lower = e.lower.cwiseMin(x);
+    e.upper = e.upper.cwiseMax(x);
+  }
+  return e;
+}
+
+template <int d>
+Mat<d> deformation_gradient_of(const Solid<d>& solid, const State<d>& state, Index particle) {
+  const BondTable<d>& t = solid.bonds;
+  const Index i = t.slots.of(particle);
+  const int W = t.width;
+  const Index row = t.row[i / W], lane = i % W;
+  Mat<d> F;
+  for (int a = 0; a < d; ++a)
+    for (int b = 0; b < d; ++b) F(a, b) = t.identity[((row * d + a) * d + b) * W + lane];
+  for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n)
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b)
+        F(a, b) += (state.u[a][i + t.offset[n]] - state.u[a][i]) * t.stencil[(n * d + b) * W + lane];
+  return F;
+}
+
+template <int d>
+double hourglass_share(const Solid<d>& solid, const State<d>& state) {
+  const BondTable<d>& t = solid.bonds;
+  std::vector<Mat<d>> F(t.slots.count(), Mat<d>::Identity());
+  for (Index p = 0; p < solid.cloud.size(); ++p) F[t.slots.of(p)] = deformation_gradient_of(solid, state, p);
+  using Sums = Eigen::Vector2d;
+  const Sums sums = sum_over_particles(solid.cloud.size(), Sums(Sums::Zero()), [&](Sums& sum, Index p) {
+    const Index i = t.slots.of(p), row = t.row[i / t.width], lane = i % t.width;
+    for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
+      Vec<d> X;
+      for (int k = 0; k < d; ++k) X[k] = t.separation[(n * d + k) * t.width + lane];
+      if (X.norm() == 0 || X.norm() > 1.1 * solid.cloud.spacing) continue;
+      const Index j = i + t.offset[n];
+      const Vec<d> x = X + vector_at<d>(state.u, j) - vector_at<d>(state.u, i);
+      sum[0] += (x - 0.5 * (F[i] + F[j]) * X).squaredNorm();
+      sum[1] += x.squaredNorm();
+    }
+  });
+  return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.0;
+}
+
+template Energy energy_of<2>(const Solid<2>&, const State<2>&);
+template Energy energy_of<3>(const Solid<3>&, const State<3>&);
+template Momentum momentum_of<2>(const Solid<2>&, const State<2>&);
+template Momentum momentum_of<3>(const Solid<3>&, const State<3>&);
+template Extent<2> extent_of<2>(const Solid<2>&, const State<2>&);
+template Extent<3> extent_of<3>(const Solid<3>&, const State<3>&);
+template Mat<2> deformation_gradient_of<2>(const Solid<2>&, const State<2>&, Index);
+template Mat<3> deformation_gradient_of<3>(const Solid<3>&, const State<3>&, Index);
+template double hourglass_share<2>(const Solid<2>&, const State<2>&);
+template double hourglass_share<3>(const Solid<3>&, const State<3>&);
+
+}  // namespace plumb

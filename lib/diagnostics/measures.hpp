@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+
+#include "plumbline/solid/solid.hpp"
+
+namespace plumb {
+
+/// (47a-c) of paper 000 [J] (per metre of thickness in 2D).
+struct Energy {
+  double kinetic = 0;
+  double strain = 0;
+  double total() const { return kinetic + strain; }
+};
+
+/// Three components also in 2D, where p_z = 0 and only L_z is not zero. Angular momentum about the origin.
+struct Momentum {
+  std::array<double, 3> linear{};   ///< [kg m/s]
+  std::array<double, 3> angular{};  ///< [kg m^2/s]
+  double linear_scale = 0;          ///< sum m |v|, to judge a drift by
+  double angular_scale = 0;         ///< sum m |x| |v|
+};
+
+template <int d>
+Energy energy_of(const Solid<d>& solid, const State<d>& state);
+
+template <int d>
+Momentum momentum_of(const Solid<d>& solid, const State<d>& state);
+
+/// Smallest box around the current positions [m].
+template <int d>
+struct Extent {
+  Vec<d> lower, upper;
+};
+template <int d>
+Extent<d> extent_of(const Solid<d>& solid, const State<d>& state);
+
+/// Share of the deformation that neighbouring deformation gradients do not explain: rms of x_ij - (F_i + F_j)
+/// X_ij / 2 over nearest pairs (r < 1.1 spacings), relative to rms x_ij. Zero for affine motion. THEORY
+/// (8.4).
+template <int d>
+double hourglass_share(const Solid<d>& solid, const State<d>& state);
+
+/// Deformation gradient of one particle.
+template <int d>
+Mat<d> deformation_gradient_of(const Solid<d>& solid, const State<d>& state, Index particle);
+
+/// Current position of one particle [m].
+template <int d>
+Vec<d> position_of(const Solid<d>& solid, const State<d>& state, Index particle) {
+  return solid.cloud.X[particle] + vector_at<d>(state.u, solid.bonds.slots.of(particle));
+}
+
+}  // namespace plumb

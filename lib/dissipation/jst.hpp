@@ -1,0 +1,30 @@
+#pragma once
+#include "plumbline/solid/solid.hpp"
+
+namespace plumb {
+
+/// Jameson-Schmidt-Turkel dissipation (28) of the momentum p = rho v:
+/// D = eta2 C h lap' p - eta4 C h^3 lap' (lap p), lap the corrected Laplacian (27), lap' its symmetrised
+/// form. THEORY (6.1)-(6.4).
+struct JstOptions {
+  double eta2 = 0;
+  double eta4 = 0.125;
+};
+
+/// The term; needs a bond table made with laplacian = true, whose options also choose the outer level. Keeps
+/// one array of d components (two if eta2 is not zero).
+template <int d>
+Term<d> jst_term(const Solid<d>& solid, const JstOptions& options);
+
+/// Spectral radius of d^4 x (outer x inner Laplacian), by power iteration: Lambda of THEORY (6.5),
+/// dimensionless.
+template <int d>
+double biharmonic_radius(const Solid<d>& solid);
+
+/// Largest stable time step for the fourth-order part [s]: dt eta4 C h^3 rho(outer x inner) <= limit, with
+/// the extent of the integrator's stability region on the negative real axis as limit (2.51 for RK3, 2 for
+/// forward differences). THEORY (6.5).
+template <int d>
+double jst_step_limit(const Solid<d>& solid, const JstOptions& options, double limit);
+
+}  // namespace plumb

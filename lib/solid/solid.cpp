@@ -1,0 +1,59 @@
+#include "plumbline/solid/solid.hpp"
+
+#include "plumbline/material/catalogue.hpp"
+
+namespace plumb {
+
+template <int d>
+Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, int width) {
+  Sweeps<d> sweeps;
+  if (!with_named(MaterialCatalogue{}, material,
+                  [&]<class M>(Type<M>) { sweeps = make_sweeps<d>(M(elastic), width); }))
+    throw unknown_name("material model", material, names_of(MaterialCatalogue{}));
+  return sweeps;
+}
+
+template <int d>
+Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& elastic,
+                    const BondOptions<d>& options) {
+  Solid<d> solid;
+  solid.bonds = make_bond_table<d>(cloud, options);
+  solid.cloud = std::move(cloud);
+  solid.elastic = elastic;
+  solid.smoothing_length = options.smoothing_length;
+  solid.sweeps = sweeps_named<d>(material, elastic, solid.bonds.width);
+  solid.P = solid.make_field(d * d);
+  solid.volume.assign(solid.bonds.slots.count(), 0.0);
+  for (Index i = 0; i < solid.cloud.size(); ++i) solid.volume[solid.bonds.slots.of(i)] = solid.cloud.V[i];
+  return solid;
+}
+
+template <int d>
+void add_term(Solid<d>& solid, Term<d> term) {
+  if (term.needs_F && solid.F.components() == 0) solid.F = solid.make_field(d * d);
+  if (term.needs_state && solid.stored_force.components() == 0) solid.stored_force = solid.make_field(d);
+  solid.terms.push_back(std::move(term));
+}
+
+template <int d>
+State<d> make_state(const Solid<d>& solid) {
+  State<d> state;
+  state.u = solid.make_field(d);
+  state.v = solid.make_field(d);
+  return state;
+}
+
+template Sweeps<1> sweeps_named<1>(std::string_view, const Elastic&, int);
+template Sweeps<2> sweeps_named<2>(std::string_view, const Elastic&, int);
+template Sweeps<3> sweeps_named<3>(std::string_view, const Elastic&, int);
+template Solid<1> make_solid<1>(Cloud<1>, std::string_view, const Elastic&, const BondOptions<1>&);
+template Solid<2> make_solid<2>(Cloud<2>, std::string_view, const Elastic&, const BondOptions<2>&);
+template Solid<3> make_solid<3>(Cloud<3>, std::string_view, const Elastic&, const BondOptions<3>&);
+template void add_term<1>(Solid<1>&, Term<1>);
+template void add_term<2>(Solid<2>&, Term<2>);
+template void add_term<3>(Solid<3>&, Term<3>);
+template State<1> make_state<1>(const Solid<1>&);
+template State<2> make_state<2>(const Solid<2>&);
+template State<3> make_state<3>(const Solid<3>&);
+
+}  // namespace plumb

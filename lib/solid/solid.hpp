@@ -1,0 +1,163 @@
+#pragma once
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "plumbline/solid/state.hpp"
+#include "plumbline/solid/sweeps.hpp"
+
+namespace plumb {
+
+template <int d>
+struct Solid;
+
+/// An optional part of the right-hand side (dissipation, body force, support, hourglass energy): made only if
+/// a scene names it. Called per block, never per particle. An empty function is not called.
+template <int d>
+struct Term {
+  std::string name;
+  std::size_t bytes = 0;  ///< of its own arrays
+  /// Runs with the stress; may read displacement and velocity of any slot and write the term's own arrays.
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
+  /// Adds to the force per unit reference volume; may read the term's own arrays, and the state only if
+  /// needs_state.
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
+  bool needs_state = false;  ///< `second` reads the state of other slots: forces are stored before the update
+  bool needs_F = false;      ///< the deformation gradient is stored
+};
+
+/// The loops for one material and one pack width, chosen once.
+template <int d>
+struct Sweeps {
+  std::function<bool(const BondTable<d>&, const Field& u, const Block&, Field& P, Field* F)> stress;
+  std::function<double(const BondTable<d>&, const Field& u, const Block&, const double* volume)> energy;
+  void (*force)(const BondTable<d>&, const Field& P, const Block&, BlockForce<d>&);
+  double (*distance)(const BondTable<d>&, const Field& u, const Block&);
+};
+
+/// Work done so far; does not depend on the machine.
+struct Work {
+  std::int64_t particle_evaluations = 0;
+  std::int64_t pair_evaluations = 0;
+};
+
+/// A body of one material: its bonds, its loops and whatever optional terms the scene names.
+template <int d>
+struct Solid {
+  Cloud<d> cloud;
+  Elastic elastic;
+  double smoothing_length = 0;  ///< h [m]
+  BondTable<d> bonds;
+  Sweeps<d> sweeps;
+  std::vector<Term<d>> terms;
+  Field P;               ///< first Piola-Kirchhoff stress [Pa]
+  Field F;               ///< deformation gradient; empty unless a term needs it
+  Field stored_force;    ///< [N/m^d]; empty unless a term needs the state
+  AlignedVector volume;  ///< per slot [m^d]; 0 for empty slots
+  double step_limit = std::numeric_limits<double>::max();  ///< other than CFL [s] (JST)
+  Work work;
+
+  Index blocks() const { return (bonds.slots.count() + block_slots - 1) / block_slots; }
+  Block block(Index b) const {
+    const Index per_block = block_slots / bonds.width;
+    return {b * per_block, std::min((b + 1) * per_block, bonds.slots.packs()), bonds.width};
+  }
+  Field make_field(int components) const { return {components, bonds.slots.count(), bonds.margin}; }
+};
+
+/// The loops of material M for tables of the given width.
+template <int d, Material<d> M>
+Sweeps<d> make_sweeps(const M& material, int width) {
+  const auto with_width = [&]<int W>(std::integral_constant<int, W>) {
+    Sweeps<d> s;
+    s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P, Field* F) {
+      return stress_sweep<d, W>(bonds, material, u, block, P, F);
+    };
+    s.energy = [material](const BondTable<d>& bonds, const Field& u, const Block& block,
+                          const double* volume) {
+      return energy_sweep<d, W>(bonds, material, u, block, volume);
+    };
+    s.force = &force_sweep<d, W>;
+    s.distance = &distance_sweep<d, W>;
+    return s;
+  };
+  return width == 1 ? with_width(std::integral_constant<int, 1>{})
+                    : with_width(std::integral_constant<int, native_width>{});
+}
+
+/// The loops of the material of that name; InputError names the nearest valid one.
+template <int d>
+Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, int width);
+
+/// Puts a body together from its reference configuration; terms are added afterwards with add_term.
+template <int d>
+Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& elastic,
+                    const BondOptions<d>& options);
+
+template <int d>
+void add_term(Solid<d>& solid, Term<d> term);
+
+/// State at rest in the reference configuration.
+template <int d>
+State<d> make_state(const Solid<d>& solid);
+
+/// The right-hand side at one instant: stress from displacements, force from stress, terms; then
+/// update(block, force) for every block, which may change u and v of its own slots. Returns false, with
+/// nothing updated, if some J <= 0 or is not a number.
+template <int d, class Update>
+bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
+  const Index blocks = solid.blocks();
+  bool sound = true;
+  Field* F = solid.F.components() ? &solid.F : nullptr;
+#pragma omp parallel for schedule(static) reduction(&& : sound)
+  for (Index b = 0; b < blocks; ++b) {
+    const Block block = solid.block(b);
+    sound = solid.sweeps.stress(solid.bonds, state.u, block, solid.P, F) && sound;
+    for (const auto& term : solid.terms)
+      if (term.first) term.first(solid, block, state, time);
+  }
+  solid.work.particle_evaluations += solid.bonds.slots.particles;
+  solid.work.pair_evaluations += solid.bonds.pairs;
+  if (!sound) return false;
+  const bool store = solid.stored_force.components() > 0;
+#pragma omp parallel for schedule(static)
+  for (Index b = 0; b < blocks; ++b) {
+    const Block block = solid.block(b);
+    BlockForce<d> force(block);
+    solid.sweeps.force(solid.bonds, solid.P, block, force);
+    for (const auto& term : solid.terms)
+      if (term.second) term.second(solid, block, state, time, force);
+    if (store) {
+      for (int k = 0; k < d; ++k)
+        std::copy_n(force.at(k, block.begin()), block.end() - block.begin(),
+                    solid.stored_force[k] + block.begin());
+    } else {
+      update(block, force);
+    }
+  }
+  if (!store) return true;
+#pragma omp parallel for schedule(static)
+  for (Index b = 0; b < blocks; ++b) {
+    const Block block = solid.block(b);
+    BlockForce<d> force(block);
+    for (int k = 0; k < d; ++k)
+      std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
+                  force.at(k, block.begin()));
+    update(block, force);
+  }
+  return true;
+}
+
+/// Sum over blocks in a fixed order, whatever the number of threads.
+template <int d, class F>
+double sum_over_blocks(const Solid<d>& solid, F&& value) {
+  std::vector<double> parts(solid.blocks());
+#pragma omp parallel for schedule(static)
+  for (Index b = 0; b < solid.blocks(); ++b) parts[b] = value(solid.block(b));
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace plumb

@@ -1,0 +1,40 @@
+#pragma once
+#include "plumbline/core/field.hpp"
+
+namespace plumb {
+
+/// The evolving unknowns. The displacement is kept instead of the position: F = I + sum (u_j - u_i) (x) c_ij
+/// has no cancellation for small strains, and empty slots (u = 0) have F = I.
+template <int d>
+struct State {
+  Field u;          ///< displacement x - X [m]
+  Field v;          ///< velocity [m/s]; the paper's momentum is rho_0 v
+  double time = 0;  ///< [s]
+  long step = 0;
+};
+
+/// A range of packs that one thread handles at a time; its force density stays in the first-level cache.
+struct Block {
+  Index first_pack, end_pack;
+  int width;
+  Index begin() const { return first_pack * width; }
+  Index end() const { return end_pack * width; }
+};
+
+/// Slots per block. Blocks do not depend on the number of threads, and neither do sums over them.
+inline constexpr Index block_slots = 256;
+
+/// Force per unit reference volume [N/m^d] of the slots of one block; component k of slot i is at (k, i).
+template <int d>
+class BlockForce {
+ public:
+  explicit BlockForce(const Block& block) : first_(block.begin()) {}
+  double* at(int component, Index slot) { return &values_[component][slot - first_]; }
+  double& operator()(int component, Index slot) { return values_[component][slot - first_]; }
+
+ private:
+  Index first_;
+  alignas(64) double values_[d][block_slots];
+};
+
+}  // namespace plumb

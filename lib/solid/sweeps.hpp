@@ -1,0 +1,121 @@
+#pragma once
+#include <limits>
+
+#include "plumbline/gradient/bond_table.hpp"
+#include "plumbline/material/material.hpp"
+#include "plumbline/solid/state.hpp"
+
+namespace plumb {
+
+/// Deformation gradients of one pack: F_i = sum_j (x_j - x_i) (x) c_ij, THEORY (3.1).
+template <int d, int W>
+inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Field& u, Index pack) {
+  using Real = Pack<W>;
+  const Index i = pack * W;
+  const std::int32_t row = bonds.row[pack];
+  Real own[d], F[d][d];
+  for (int a = 0; a < d; ++a) own[a] = Real::load(u[a] + i);
+  const double* identity = bonds.identity.data() + static_cast<Index>(row) * d * d * W;
+  for (int a = 0; a < d; ++a)
+    for (int b = 0; b < d; ++b) F[a][b] = Real::load(identity + (a * d + b) * W);
+  const std::int64_t end = bonds.begin[row + 1];
+  for (std::int64_t n = bonds.begin[row]; n < end; ++n) {
+    const Index j = i + bonds.offset[n];
+    const double* c = bonds.stencil.data() + n * d * W;
+    Real weight[d];
+    for (int b = 0; b < d; ++b) weight[b] = Real::load(c + b * W);
+    for (int a = 0; a < d; ++a) {
+      const Real du = Real::load(u[a] + j) - own[a];
+      for (int b = 0; b < d; ++b) F[a][b] += du * weight[b];
+    }
+  }
+  Mat<d, Real> result;
+  for (int a = 0; a < d; ++a)
+    for (int b = 0; b < d; ++b) result(a, b) = F[a][b];
+  return result;
+}
+
+/// First Piola-Kirchhoff stress [Pa] of one block into P (d x d components, row by row), and F into `F_out`
+/// if a term needs it. Returns false if some determinant is not positive (or not a number).
+template <int d, int W, Material<d> M>
+bool stress_sweep(const BondTable<d>& bonds, const M& material, const Field& u, const Block& block, Field& P,
+                  Field* F_out) {
+  using Real = Pack<W>;
+  Real unsound(0);
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Mat<d, Real> F = deformation_gradient<d, W>(bonds, u, pack);
+    const Mat<d, Real> stress = material.first_piola(F);
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b) stress(a, b).store(P[a * d + b] + pack * W);
+    if (F_out)
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) F(a, b).store((*F_out)[a * d + b] + pack * W);
+    unsound += not_positive(determinant<d, Real>(F));
+  }
+  double count = 0;
+  for (int lane = 0; lane < W; ++lane) count += unsound[lane];
+  return count == 0;
+}
+
+/// Internal force per unit reference volume of one block: f_i = P_i s_i + sum_j P_j a_ij, THEORY (5.1).
+template <int d, int W>
+void force_sweep(const BondTable<d>& bonds, const Field& P, const Block& block, BlockForce<d>& force) {
+  using Real = Pack<W>;
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Index i = pack * W;
+    const std::int32_t row = bonds.row[pack];
+    Real f[d];
+    const auto add = [&](Index j, const double* weights) {
+      Real weight[d];
+      for (int b = 0; b < d; ++b) weight[b] = Real::load(weights + b * W);
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) f[a] += Real::load(P[a * d + b] + j) * weight[b];
+    };
+    for (int a = 0; a < d; ++a) f[a] = Real(0);
+    add(i, bonds.own_force.data() + static_cast<Index>(row) * d * W);
+    const std::int64_t end = bonds.begin[row + 1];
+    for (std::int64_t n = bonds.begin[row]; n < end; ++n)
+      add(i + bonds.offset[n], bonds.force.data() + n * d * W);
+    for (int a = 0; a < d; ++a) f[a].store(force.at(a, i));
+  }
+}
+
+/// Strain energy sum V W(F) of one block [J].
+template <int d, int W, Material<d> M>
+double energy_sweep(const BondTable<d>& bonds, const M& material, const Field& u, const Block& block,
+                    const double* volume) {
+  Pack<W> sum(0);
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack)
+    sum += material.energy(deformation_gradient<d, W>(bonds, u, pack)) * Pack<W>::load(volume + pack * W);
+  double total = 0;
+  for (int lane = 0; lane < W; ++lane) total += sum[lane];
+  return total;
+}
+
+/// Square of the smallest current distance of neighbours in one block [m^2], each pair once.
+template <int d, int W>
+double distance_sweep(const BondTable<d>& bonds, const Field& u, const Block& block) {
+  using Real = Pack<W>;
+  Real least(std::numeric_limits<double>::max());
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Index i = pack * W;
+    const std::int32_t row = bonds.row[pack];
+    for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n) {
+      if (bonds.offset[n] < 0) continue;
+      const double* X = bonds.separation.data() + n * d * W;
+      Real square(0), reference(0);
+      for (int a = 0; a < d; ++a) {
+        const Real X_ij = Real::load(X + a * W);
+        const Real x_ij = X_ij + Real::load(u[a] + i + bonds.offset[n]) - Real::load(u[a] + i);
+        square += x_ij * x_ij;
+        reference += X_ij * X_ij;
+      }
+      least = lesser_where_positive(square, least, reference);
+    }
+  }
+  double result = least[0];
+  for (int lane = 1; lane < W; ++lane) result = std::min(result, least[lane]);
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,50 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/solid/solid.hpp"
+#include "plumbline/time/catalogue.hpp"
+
+namespace plumb {
+
+/// Advances a body by dt. `step` returns false if the deformation became unsound (J <= 0 or not a number);
+/// the state is then the one before the step. `order` is the order in dt that the scheme claims; a test
+/// measures it. A new integrator is one file in integrators/.
+template <class S, int d>
+concept Integrator = std::constructible_from < S,
+        const Solid<d>
+& > &&requires(S& stepper, Solid<d>& solid, State<d>& state, double dt) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::order } -> std::convertible_to<int>;
+  { S::evaluations_per_step } -> std::convertible_to<int>;
+  { stepper.step(solid, state, dt) } -> std::same_as<bool>;
+  { stepper.bytes() } -> std::convertible_to<std::size_t>;
+};
+
+/// An integrator chosen at run time.
+template <int d>
+struct Stepper {
+  std::string_view name;
+  int order;
+  int evaluations_per_step;
+  std::size_t bytes;
+  std::function<bool(Solid<d>&, State<d>&, double dt)> step;
+};
+
+template <int d>
+Stepper<d> stepper_named(std::string_view name, const Solid<d>& solid) {
+  Stepper<d> stepper{};
+  const bool known = with_named(IntegratorCatalogue{}, name, [&]<class T>(Type<T>) {
+    using S = typename T::template Stepper<d>;
+    static_assert(Integrator<S, d>);
+    const auto s = std::make_shared<S>(solid);
+    stepper = {S::name, S::order, S::evaluations_per_step, s->bytes(),
+               [s](Solid<d>& body, State<d>& state, double dt) { return s->step(body, state, dt); }};
+  });
+  if (!known) throw unknown_name("integrator", name, names_of(IntegratorCatalogue{}));
+  return stepper;
+}
+
+}  // namespace plumb

@@ -1,0 +1,65 @@
+#pragma once
+#include <string_view>
+
+#include "plumbline/solid/solid.hpp"
+
+namespace plumb {
+
+/// Three-stage strong-stability-preserving Runge-Kutta scheme (30), third order, with loads at the times of
+/// the stages t, t + dt, t + dt/2 (as printed, at t^n in all stages, it is of first order for loads that vary
+/// in time). THEORY (7.1).
+struct SspRk3 {
+  static constexpr std::string_view name = "rk3";
+
+  template <int d>
+  class Stepper {
+   public:
+    static constexpr std::string_view name = SspRk3::name;
+    static constexpr int order = 3;
+    static constexpr int evaluations_per_step = 3;
+
+    explicit Stepper(const Solid<d>& solid) : u0_(solid.make_field(d)), v0_(solid.make_field(d)) {}
+    std::size_t bytes() const { return u0_.bytes() + v0_.bytes(); }
+
+    bool step(Solid<d>& solid, State<d>& state, double dt) {
+      const double t = state.time;
+      u0_ = state.u;
+      v0_ = state.v;
+      const bool sound = stage(solid, state, t, dt, 0, 1) &&
+                         stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4) &&
+                         stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3);
+      if (!sound) {
+        state.u = u0_;
+        state.v = v0_;
+        return false;
+      }
+      state.time = t + dt;
+      ++state.step;
+      return true;
+    }
+
+   private:
+    /// U <- kept U^n + fresh (U + dt R(U, t)).
+    bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh) {
+      const double per_mass = dt / solid.elastic.density;
+      return evaluate(solid, state, t, [&](const Block& block, BlockForce<d>& force) {
+        for (int k = 0; k < d; ++k) {
+          double* u = state.u[k];
+          double* v = state.v[k];
+          const double* u0 = u0_[k];
+          const double* v0 = v0_[k];
+          const double* f = force.at(k, block.begin()) - block.begin();
+#pragma omp simd
+          for (Index i = block.begin(); i < block.end(); ++i) {
+            u[i] = kept * u0[i] + fresh * (u[i] + dt * v[i]);
+            v[i] = kept * v0[i] + fresh * (v[i] + per_mass * f[i]);
+          }
+        }
+      });
+    }
+
+    Field u0_, v0_;
+  };
+};
+
+}  // namespace plumb

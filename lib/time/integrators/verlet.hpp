@@ -1,0 +1,85 @@
+#pragma once
+#include <string_view>
+
+#include "plumbline/solid/solid.hpp"
+
+namespace plumb {
+
+/// Velocity Verlet (kick, drift, kick), second order, one evaluation of the right-hand side a step;
+/// symplectic for a constant step and a force that derives from an energy. THEORY (7.2).
+struct Verlet {
+  static constexpr std::string_view name = "verlet";
+
+  template <int d>
+  class Stepper {
+   public:
+    static constexpr std::string_view name = Verlet::name;
+    static constexpr int order = 2;
+    static constexpr int evaluations_per_step = 1;
+
+    explicit Stepper(const Solid<d>& solid) : a_(solid.make_field(d)) {}
+    std::size_t bytes() const { return a_.bytes(); }
+
+    bool step(Solid<d>& solid, State<d>& state, double dt) {
+      if (!started_ && !accelerate(solid, state, 0)) return false;
+      started_ = true;
+      kick_and_drift(solid, state, dt);
+      if (!accelerate(solid, state, dt)) {
+        undo(solid, state, dt);
+        return false;
+      }
+      state.time += dt;
+      ++state.step;
+      return true;
+    }
+
+   private:
+    /// a(x, t + dt), then the second half kick.
+    bool accelerate(Solid<d>& solid, State<d>& state, double dt) {
+      const double per_mass = 1 / solid.elastic.density;
+      return evaluate(solid, state, state.time + dt, [&](const Block& block, BlockForce<d>& force) {
+        for (int k = 0; k < d; ++k) {
+          double* v = state.v[k];
+          double* a = a_[k];
+          const double* f = force.at(k, block.begin()) - block.begin();
+#pragma omp simd
+          for (Index i = block.begin(); i < block.end(); ++i) {
+            a[i] = per_mass * f[i];
+            v[i] += 0.5 * dt * a[i];
+          }
+        }
+      });
+    }
+
+    void kick_and_drift(const Solid<d>& solid, State<d>& state, double dt) {
+#pragma omp parallel for schedule(static)
+      for (Index b = 0; b < solid.blocks(); ++b) {
+        const Block block = solid.block(b);
+        for (int k = 0; k < d; ++k) {
+          double* u = state.u[k];
+          double* v = state.v[k];
+          const double* a = a_[k];
+#pragma omp simd
+          for (Index i = block.begin(); i < block.end(); ++i) {
+            v[i] += 0.5 * dt * a[i];
+            u[i] += dt * v[i];
+          }
+        }
+      }
+    }
+
+    /// Back to the state before the step (to rounding), so that the last good one can be kept.
+    void undo(const Solid<d>& solid, State<d>& state, double dt) {
+      for (int k = 0; k < d; ++k)
+        for (Index i = 0; i < solid.bonds.slots.count(); ++i) {
+          state.u[k][i] -= dt * state.v[k][i];
+          state.v[k][i] -= 0.5 * dt * a_[k][i];
+        }
+    }
+
+    Field a_;
+    bool started_ = false;
+  };
+};
+
+}  // namespace plumb

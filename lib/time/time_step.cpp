@@ -1,0 +1,77 @@
+#include "plumbline/time/time_step.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+
+#include "plumbline/diagnostics/measures.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::array<std::pair<WaveSpeed, std::string_view>, 3> speed_names = {
+    {{WaveSpeed::linear, "linear"},
+     {WaveSpeed::stretch, "stretch"},
+     {WaveSpeed::stretch_inverse, "stretch-inverse"}}};
+
+/// Least principal stretch of every slot.
+template <int d>
+std::vector<double> least_stretches(const Solid<d>& solid, const State<d>& state) {
+  std::vector<double> stretch(solid.bonds.slots.count(), 1.0);
+#pragma omp parallel for schedule(static)
+  for (Index p = 0; p < solid.cloud.size(); ++p) {
+    const Mat<d> F = deformation_gradient_of(solid, state, p);
+    const Eigen::SelfAdjointEigenSolver<Mat<d>> eigen(F.transpose() * F, Eigen::EigenvaluesOnly);
+    stretch[solid.bonds.slots.of(p)] = std::sqrt(std::max(0.0, eigen.eigenvalues()[0]));
+  }
+  return stretch;
+}
+
+}  // namespace
+
+std::string_view name_of(WaveSpeed speed) {
+  return speed_names[static_cast<std::size_t>(speed)].second;
+}
+
+WaveSpeed wave_speed_named(std::string_view name) {
+  std::vector<std::string> valid;
+  for (const auto& [speed, text] : speed_names) {
+    if (text == name) return speed;
+    valid.emplace_back(text);
+  }
+  throw unknown_name("wave speed", name, valid);
+}
+
+template <int d>
+double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed speed) {
+  const double c = solid.elastic.wave_speed();
+  const Index blocks = solid.blocks();
+  double least = std::numeric_limits<double>::max();
+  if (speed == WaveSpeed::linear) {
+#pragma omp parallel for schedule(static) reduction(min : least)
+    for (Index b = 0; b < blocks; ++b)
+      least = std::min(least, solid.sweeps.distance(solid.bonds, state.u, solid.block(b)));
+    return std::sqrt(least) / c;
+  }
+  const std::vector<double> stretch = least_stretches(solid, state);
+  const BondTable<d>& t = solid.bonds;
+#pragma omp parallel for schedule(static) reduction(min : least)
+  for (Index p = 0; p < solid.cloud.size(); ++p) {
+    const Index i = t.slots.of(p), row = t.row[i / t.width], lane = i % t.width;
+    for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
+      Vec<d> x;
+      for (int k = 0; k < d; ++k) x[k] = t.separation[(n * d + k) * t.width + lane];
+      if (x.squaredNorm() == 0) continue;  // this lane has no such neighbour
+      const Index j = i + t.offset[n];
+      x += vector_at<d>(state.u, j) - vector_at<d>(state.u, i);
+      const double mean = 0.5 * (stretch[i] + stretch[j]);
+      least = std::min(least, x.norm() / (speed == WaveSpeed::stretch ? c * mean : c / mean));
+    }
+  }
+  return least;
+}
+
+template double crossing_time<2>(const Solid<2>&, const State<2>&, WaveSpeed);
+template double crossing_time<3>(const Solid<3>&, const State<3>&, WaveSpeed);
+
+}  // namespace plumb

@@ -1,0 +1,197 @@
+#include "reports/plot/prepare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "reports/plot/check.hpp"
+
+namespace plumb::reports::plot {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// Smallest and largest value met so far; values that an axis cannot show are passed over.
+struct Extent {
+  bool log = false;
+  double low = inf, high = -inf;
+  void add(double value) {
+    if (!std::isfinite(value) || (log && value <= 0)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void add(const std::vector<double>& values) {
+    for (double v : values) add(v);
+  }
+};
+
+Range padded(Extent extent, const Axis& axis, double padding) {
+  if (!(extent.low <= extent.high)) extent.low = extent.high = 1;
+  Range range{extent.low, extent.high, extent.log};
+  if (extent.low == extent.high) {
+    const double half = extent.low == 0 ? 1 : std::abs(extent.low) / 2;
+    range.low = extent.log ? extent.low / 2 : extent.low - half;
+    range.high = extent.log ? extent.high * 2 : extent.high + half;
+  }
+  const Range tight = range;
+  range.low = axis.min.value_or(tight.value(-padding));
+  range.high = axis.max.value_or(tight.value(1 + padding));
+  return range;
+}
+
+/// Where the cells around the first and last grid point end.
+void add_cells(Extent& extent, const std::vector<double>& grid) {
+  const Range r{grid.front(), grid.back(), extent.log};
+  const double half = grid.size() < 2 ? 0.0 : 0.5 / static_cast<double>(grid.size() - 1);
+  extent.add(r.low == r.high ? r.low * 0.9 : r.value(-half));
+  extent.add(r.low == r.high ? r.high * 1.1 : r.value(1 + half));
+}
+
+void set_ranges(Prepared& p) {
+  Extent x{p.picture.x.scale == Scale::log}, y{p.picture.y.scale == Scale::log};
+  for (const auto& series : p.picture.series) {
+    x.add(series.x);
+    y.add(series.y);
+    if (series.band) {
+      y.add(series.band->low);
+      y.add(series.band->high);
+    }
+  }
+  for (const auto& line : p.picture.lines) (line.vertical ? x : y).add(line.at);
+  x.add(p.picture.x.ticks);
+  y.add(p.picture.y.ticks);
+  const bool has_map = !std::holds_alternative<std::monostate>(p.picture.map);
+  if (const auto* map = std::get_if<HeatMap>(&p.picture.map)) add_cells(x, map->x), add_cells(y, map->y);
+  if (const auto* map = std::get_if<CategoryMap>(&p.picture.map)) add_cells(x, map->x), add_cells(y, map->y);
+  p.x = padded(x, p.picture.x, has_map ? 0 : 0.03);
+  p.y = padded(y, p.picture.y, has_map ? 0 : 0.06);
+}
+
+/// Height of the line of `series` at x, by interpolation on the axes as drawn.
+double line_fraction(const Prepared& p, const Series& series, double x) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t k = 0; k < series.x.size(); ++k)
+    points.emplace_back(p.x.fraction(series.x[k]), p.y.fraction(series.y[k]));
+  std::sort(points.begin(), points.end());
+  if (x <= points.front().first) return points.front().second;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const auto& [x0, y0] = points[k - 1];
+    const auto& [x1, y1] = points[k];
+    if (x <= x1) return x1 == x0 ? y1 : y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+  }
+  return points.back().second;
+}
+
+/// Puts each triangle a little below its line, over the middle of the series, and lowers the axis if it needs
+/// room.
+void place_triangles(Prepared& p) {
+  double lowest = p.y.low;
+  for (const auto& wanted : p.picture.triangles) {
+    const auto& series = p.picture.series[wanted.series];
+    const auto [first, last] = std::minmax_element(series.x.begin(), series.x.end());
+    const double centre = (p.x.fraction(*first) + p.x.fraction(*last)) / 2;
+    Triangle t;
+    t.order = wanted.order;
+    t.x[0] = p.x.value(centre - 0.11);
+    t.x[1] = p.x.value(centre + 0.11);
+    const double rise = std::pow(t.x[1] / t.x[0], wanted.order);
+    const double gap = 0.06;
+    const double under0 = p.y.value(line_fraction(p, series, centre - 0.11) - gap);
+    const double under1 = p.y.value(line_fraction(p, series, centre + 0.11) - gap);
+    t.y[0] = std::min(under0, under1 / rise);
+    t.y[1] = t.y[0] * rise;
+    t.x[2] = wanted.order > 0 ? t.x[1] : t.x[0];
+    t.y[2] = std::min(t.y[0], t.y[1]);
+    lowest = std::min(lowest, p.y.value(p.y.fraction(t.y[2]) - 0.07));
+    p.triangles.push_back(t);
+  }
+  if (!p.picture.y.min) p.y.low = lowest;
+}
+
+/// Labels at the right ends of the lines, moved apart until none covers another.
+void place_labels(Prepared& p, double area_height) {
+  for (std::size_t s = 0; s < p.picture.series.size(); ++s) {
+    const auto& series = p.picture.series[s];
+    if (series.label.empty()) continue;
+    const auto at =
+        static_cast<std::size_t>(std::max_element(series.x.begin(), series.x.end()) - series.x.begin());
+    p.labels.push_back({s, series.x[at], series.y[at], std::clamp(p.y.fraction(series.y[at]), 0.0, 1.0)});
+  }
+  const auto higher = [](const EndLabel& a, const EndLabel& b) { return a.height > b.height; };
+  std::stable_sort(p.labels.begin(), p.labels.end(), higher);
+  const double gap = line_px / area_height;
+  double ceiling = 1 + gap / 2;
+  for (auto& label : p.labels) ceiling = (label.height = std::min(label.height, ceiling)) - gap;
+  double floor = -gap / 2;
+  for (auto label = p.labels.rbegin(); label != p.labels.rend(); ++label)
+    floor = (label->height = std::max(label->height, floor)) + gap;
+}
+
+void set_margins(Prepared& p) {
+  const Picture& picture = p.picture;
+  p.title = wrap(picture.title, static_cast<std::size_t>((picture.width - 20) / (letter_px * 1.08)));
+  const double notes = line_px * static_cast<double>(p.dropped.size());
+  p.margins = {76, 16, 14 + line_px * static_cast<double>(p.title.size()), 54 + notes};
+  std::size_t longest = 0;
+  for (const auto& series : picture.series) longest = std::max(longest, letters(series.label));
+  if (const auto* map = std::get_if<CategoryMap>(&picture.map))
+    for (const auto& name : map->names) longest = std::max(longest, letters(name));
+  const double wide = static_cast<double>(longest) * letter_px;
+  const bool category = std::holds_alternative<CategoryMap>(picture.map);
+  if (std::holds_alternative<HeatMap>(picture.map)) p.margins.right = 92;
+  if (picture.labels == Labels::legend || category) {
+    const std::size_t entries =
+        picture.series.size() + (category ? std::get<CategoryMap>(picture.map).names.size() : 0);
+    const double area = picture.width - p.margins.left - p.margins.right;
+    p.legend_columns = std::max<std::size_t>(1, static_cast<std::size_t>(area / (wide + 52)));
+    p.legend_rows = (entries + p.legend_columns - 1) / p.legend_columns;
+    p.margins.bottom += 6 + line_px * static_cast<double>(p.legend_rows);
+  } else if (longest > 0) {
+    p.margins.right += std::min(wide + 14, 0.45 * picture.width);
+  }
+}
+
+}  // namespace
+
+double Range::fraction(double value) const {
+  return log ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+double Range::value(double fraction) const {
+  return log ? low * std::pow(high / low, fraction) : low + (high - low) * fraction;
+}
+
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::vector<std::string> wrap(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, to - from);
+    from = to + 1;
+    if (!line.empty() && letters(line) + 1 + letters(word) > width) lines.push_back(std::exchange(line, ""));
+    line += (line.empty() ? "" : " ") + word;
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+Prepared prepare(const Picture& picture) {
+  check(picture);
+  Prepared p;
+  p.picture = picture;
+  p.dropped = drop_impossible_points(p.picture);
+  set_ranges(p);
+  place_triangles(p);
+  set_margins(p);
+  if (picture.labels == Labels::ends && !std::holds_alternative<CategoryMap>(picture.map))
+    place_labels(p, picture.height - p.margins.top - p.margins.bottom);
+  return p;
+}
+
+}  // namespace plumb::reports::plot
