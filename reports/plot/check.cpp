@@ -75,6 +75,9 @@ void check(const Picture& picture) {
   if (picture.series.empty() && std::holds_alternative<std::monostate>(picture.map))
     throw InputError(fmt::format("picture \"{}\" cannot be drawn", picture.title), "it has no data",
                      "Add a series.");
+  if (picture.equal_axes && (picture.x.scale == Scale::log || picture.y.scale == Scale::log))
+    throw InputError(fmt::format("picture \"{}\" cannot be drawn", picture.title),
+                     "equal lengths on both axes have no meaning on a logarithmic one", "Use linear axes.");
   const bool log_log = picture.x.scale == Scale::log && picture.y.scale == Scale::log;
   for (const auto& triangle : picture.triangles)
     if (!log_log || triangle.series >= picture.series.size())

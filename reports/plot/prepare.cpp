@@ -40,12 +40,15 @@ Range padded(Extent extent, const Axis& axis, double padding) {
   return range;
 }
 
-/// Where the cells around the first and last grid point end.
-void add_cells(Extent& extent, const std::vector<double>& grid) {
-  const Range r{grid.front(), grid.back(), extent.log};
-  const double half = grid.size() < 2 ? 0.0 : 0.5 / static_cast<double>(grid.size() - 1);
-  extent.add(r.low == r.high ? r.low * 0.9 : r.value(-half));
-  extent.add(r.low == r.high ? r.high * 1.1 : r.value(1 + half));
+/// The axis of a map ends where its outer cells end; its numbers stand at the grid points if they have room.
+void add_cells(Extent& extent, std::vector<double>& borders, Axis& axis, const std::vector<double>& grid) {
+  borders = cell_borders(grid, extent.log);
+  extent.add(borders);
+  const Range range{borders.front(), borders.back(), extent.log};
+  double narrowest = 1;
+  for (std::size_t i = 1; i < grid.size(); ++i)
+    narrowest = std::min(narrowest, range.fraction(grid[i]) - range.fraction(grid[i - 1]));
+  if (axis.ticks.empty() && narrowest > 0.07) axis.ticks = grid;
 }
 
 void set_ranges(Prepared& p) {
@@ -61,9 +64,13 @@ void set_ranges(Prepared& p) {
   for (const auto& line : p.picture.lines) (line.vertical ? x : y).add(line.at);
   x.add(p.picture.x.ticks);
   y.add(p.picture.y.ticks);
+  const auto add_map = [&](const auto& map) {
+    add_cells(x, p.x_borders, p.picture.x, map.x);
+    add_cells(y, p.y_borders, p.picture.y, map.y);
+  };
   const bool has_map = !std::holds_alternative<std::monostate>(p.picture.map);
-  if (const auto* map = std::get_if<HeatMap>(&p.picture.map)) add_cells(x, map->x), add_cells(y, map->y);
-  if (const auto* map = std::get_if<CategoryMap>(&p.picture.map)) add_cells(x, map->x), add_cells(y, map->y);
+  if (const auto* map = std::get_if<HeatMap>(&p.picture.map)) add_map(*map);
+  if (const auto* map = std::get_if<CategoryMap>(&p.picture.map)) add_map(*map);
   p.x = padded(x, p.picture.x, has_map ? 0 : 0.03);
   p.y = padded(y, p.picture.y, has_map ? 0 : 0.06);
 }
@@ -132,7 +139,7 @@ void set_margins(Prepared& p) {
   const Picture& picture = p.picture;
   p.title = wrap(picture.title, static_cast<std::size_t>((picture.width - 20) / (letter_px * 1.08)));
   const double notes = line_px * static_cast<double>(p.dropped.size());
-  p.margins = {76, 16, 14 + line_px * static_cast<double>(p.title.size()), 54 + notes};
+  p.margins = {76, 16, 24 + line_px * static_cast<double>(p.title.size()), 60 + notes};
   std::size_t longest = 0;
   for (const auto& series : picture.series) longest = std::max(longest, letters(series.label));
   if (const auto* map = std::get_if<CategoryMap>(&picture.map))
@@ -144,7 +151,7 @@ void set_margins(Prepared& p) {
     const std::size_t entries =
         picture.series.size() + (category ? std::get<CategoryMap>(picture.map).names.size() : 0);
     const double area = picture.width - p.margins.left - p.margins.right;
-    p.legend_columns = std::max<std::size_t>(1, static_cast<std::size_t>(area / (wide + 52)));
+    p.legend_columns = std::max<std::size_t>(1, static_cast<std::size_t>(area / (1.15 * wide + 70)));
     p.legend_rows = (entries + p.legend_columns - 1) / p.legend_columns;
     p.margins.bottom += 6 + line_px * static_cast<double>(p.legend_rows);
   } else if (longest > 0) {
@@ -152,34 +159,21 @@ void set_margins(Prepared& p) {
   }
 }
 
+/// Widens one axis about its middle until a unit of x is as long as a unit of y.
+void make_equal(Prepared& p) {
+  const double width = p.picture.width - p.margins.left - p.margins.right;
+  const double height = p.picture.height - p.margins.top - p.margins.bottom;
+  const double units_per_pixel = std::max((p.x.high - p.x.low) / width, (p.y.high - p.y.low) / height);
+  const auto widen = [](Range& range, double length) {
+    const double middle = (range.low + range.high) / 2;
+    range.low = middle - length / 2;
+    range.high = middle + length / 2;
+  };
+  widen(p.x, units_per_pixel * width);
+  widen(p.y, units_per_pixel * height);
+}
+
 }  // namespace
-
-double Range::fraction(double value) const {
-  return log ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
-}
-
-double Range::value(double fraction) const {
-  return log ? low * std::pow(high / low, fraction) : low + (high - low) * fraction;
-}
-
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-std::vector<std::string> wrap(const std::string& text, std::size_t width) {
-  std::vector<std::string> lines;
-  std::string line;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = std::min(text.find(' ', from), text.size());
-    const std::string word = text.substr(from, to - from);
-    from = to + 1;
-    if (!line.empty() && letters(line) + 1 + letters(word) > width) lines.push_back(std::exchange(line, ""));
-    line += (line.empty() ? "" : " ") + word;
-  }
-  if (!line.empty()) lines.push_back(line);
-  return lines;
-}
 
 Prepared prepare(const Picture& picture) {
   check(picture);
@@ -189,6 +183,7 @@ Prepared prepare(const Picture& picture) {
   set_ranges(p);
   place_triangles(p);
   set_margins(p);
+  if (picture.equal_axes) make_equal(p);
   if (picture.labels == Labels::ends && !std::holds_alternative<CategoryMap>(picture.map))
     place_labels(p, picture.height - p.margins.top - p.margins.bottom);
   return p;

@@ -38,6 +38,7 @@ struct Prepared {
   Picture picture;               ///< with the points that cannot be drawn taken out
   std::vector<Dropped> dropped;  ///< what was taken out
   Range x, y;
+  std::vector<double> x_borders, y_borders;  ///< of the cells of a map
   Margins margins;
   std::vector<EndLabel> labels;
   std::vector<Triangle> triangles;
@@ -50,6 +51,9 @@ inline constexpr double font_px = 13, letter_px = 7.0, line_px = 17;
 
 /// Checks and prepares a picture. @throws InputError as plumb::reports::save().
 Prepared prepare(const Picture& picture);
+
+/// Where the cells around rising grid points end: halfway between them, on the axis as drawn.
+std::vector<double> cell_borders(const std::vector<double>& grid, bool log);
 
 /// The text in lines of at most `letters` letters, broken at spaces.
 std::vector<std::string> wrap(const std::string& text, std::size_t letters);

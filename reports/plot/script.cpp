@@ -39,8 +39,9 @@ std::string frame(const Prepared& p, Format format, const std::string& output) {
   out += "set grid lc rgb \"gray\" lw 0.5 dt solid\nset tics scale 0.6 nomirror\nset border 3\n";
   std::string title;
   for (const auto& line : p.title) title += (title.empty() ? "" : "\n") + line;
-  out += fmt::format("set title {} noenhanced offset 0,-0.4\n", literal(title));
-  out += fmt::format("set xlabel {} noenhanced\n", literal(with_unit(picture.x.label, picture.x.unit)));
+  out += fmt::format("set title {} noenhanced offset 0,-0.2\n", literal(title));
+  out += fmt::format("set xlabel {} noenhanced offset 0,0.3\n",
+                     literal(with_unit(picture.x.label, picture.x.unit)));
   out += fmt::format("set label {} at screen {:.6f}, graph 0.5 center rotate by 90 noenhanced\n",
                      literal(with_unit(picture.y.label, picture.y.unit)), 14 / w);
   out += axis_commands("x", p.x, picture.x.ticks) + axis_commands("y", p.y, picture.y.ticks);
@@ -109,16 +110,6 @@ std::string legend(const Prepared& p) {
       (4 + notes) / p.picture.height, p.legend_columns);
 }
 
-/// The border between the cells of grid points a and b, or the outer border of a cell that has no neighbour
-/// there.
-double border(const Range& range, const std::vector<double>& grid, std::size_t i, int side) {
-  if (grid.size() == 1) return side < 0 ? range.low : range.high;
-  const bool outer = (side < 0 && i == 0) || (side > 0 && i + 1 == grid.size());
-  const std::size_t other = outer ? i - static_cast<std::size_t>(side) : i + static_cast<std::size_t>(side);
-  const double here = range.fraction(grid[i]), there = range.fraction(grid[other]);
-  return range.value(outer ? here - (there - here) / 2 : (here + there) / 2);
-}
-
 template <class Map, class Value>
 std::string cells(const Prepared& p, const Map& map, const std::string& name, Value&& value) {
   std::string out = "$" + name + " << EOD\n";
@@ -127,8 +118,7 @@ std::string cells(const Prepared& p, const Map& map, const std::string& name, Va
       const std::string z = value(map.z[j * map.x.size() + i]);
       if (z.empty()) continue;
       out += fmt::format("{:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {}\n", map.x[i], map.y[j],
-                         border(p.x, map.x, i, -1), border(p.x, map.x, i, 1), border(p.y, map.y, j, -1),
-                         border(p.y, map.y, j, 1), z);
+                         p.x_borders[i], p.x_borders[i + 1], p.y_borders[j], p.y_borders[j + 1], z);
     }
   return out + "EOD\n";
 }
@@ -158,9 +148,9 @@ std::string map_commands(const Prepared& p, std::vector<std::string>& plots) {
       const auto mine = [c](int z) { return z == c ? std::string("1") : std::string(); };
       const bool used = std::find(map->z.begin(), map->z.end(), c) != map->z.end();
       out += cells(p, *map, fmt::format("map{}", c), mine);
-      plots.push_back(fmt::format("{} with boxxyerror fs solid 0.85 border lc rgb \"{}\" title {}",
-                                  used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line,
-                                  literal(map->names[c])));
+      plots.push_back(fmt::format(
+          "{} with boxxyerror fc rgb \"{}\" fs solid border lc rgb \"#ffffff\" title {}",
+          used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line, literal(map->names[c])));
     }
   return out;
 }

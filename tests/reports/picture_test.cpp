@@ -133,6 +133,9 @@ TEST(Picture, RefusesWhatCannotBeDrawn) {
   ends.x.min = -1;
   EXPECT_THROW(svg(ends), InputError);
   EXPECT_THROW(svg(Picture{"empty", {"x"}, {"y"}}), InputError);
+  Picture equal = convergence();
+  equal.equal_axes = true;
+  EXPECT_THROW(svg(equal), InputError);
   Picture size = convergence();
   size.width = 0;
   EXPECT_THROW(svg(size), InputError);
