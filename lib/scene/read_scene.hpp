@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plumbline/scene/scene.hpp"
+#include "plumbline/scene/scene_error.hpp"
+
+namespace plumb {
+
+/// Reads and checks a scene file. `overrides` are "section.key=value" as from --set; a value may be written
+/// as in the file or as bare text ("17 MPa", verlet). An override of body.spacing replaces body.particles and
+/// the other way round; likewise method.cfl and method.time_step, initial.velocity and initial.spin. Throws
+/// SceneError (an InputError): "FILE:LINE: key: problem (why) suggestion".
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from text; `file_name` is for messages.
+Scene parse_scene(const std::string& text, const std::string& file_name,
+                  const std::vector<std::string>& overrides = {});
+
+}  // namespace plumb
