@@ -1,5 +1,6 @@
 #include "plumbline/solid/solid.hpp"
 
+#include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/catalogue.hpp"
 
 namespace plumb {
@@ -43,6 +44,17 @@ State<d> make_state(const Solid<d>& solid) {
   return state;
 }
 
+template <int d>
+UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state) {
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const double J = determinant<d, double>(deformation_gradient_of(solid, state, i));
+    if (!(J > 0)) return {i, J};
+  }
+  return {};
+}
+
+template UnsoundParticle find_unsound<2>(const Solid<2>&, const State<2>&);
+template UnsoundParticle find_unsound<3>(const Solid<3>&, const State<3>&);
 template Sweeps<1> sweeps_named<1>(std::string_view, const Elastic&, int);
 template Sweeps<2> sweeps_named<2>(std::string_view, const Elastic&, int);
 template Sweeps<3> sweeps_named<3>(std::string_view, const Elastic&, int);

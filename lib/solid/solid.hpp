@@ -42,6 +42,12 @@ struct Work {
   std::int64_t pair_evaluations = 0;
 };
 
+/// Where the last evaluation found a deformation gradient without positive determinant.
+struct UnsoundParticle {
+  Index particle = -1;
+  double determinant = 0;
+};
+
 /// A body of one material: its bonds, its loops and whatever optional terms the scene names.
 template <int d>
 struct Solid {
@@ -57,6 +63,7 @@ struct Solid {
   AlignedVector volume;  ///< per slot [m^d]; 0 for empty slots
   double step_limit = std::numeric_limits<double>::max();  ///< other than CFL [s] (JST)
   Work work;
+  UnsoundParticle unsound;  ///< set when an evaluation fails
 
   Index blocks() const { return (bonds.slots.count() + block_slots - 1) / block_slots; }
   Block block(Index b) const {
@@ -102,6 +109,10 @@ void add_term(Solid<d>& solid, Term<d> term);
 template <int d>
 State<d> make_state(const Solid<d>& solid);
 
+/// The first particle, in order, whose J is not positive or not a number.
+template <int d>
+UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state);
+
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
 /// update(block, force) for every block, which may change u and v of its own slots. Returns false, with
 /// nothing updated, if some J <= 0 or is not a number.
@@ -119,7 +130,10 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
   }
   solid.work.particle_evaluations += solid.bonds.slots.particles;
   solid.work.pair_evaluations += solid.bonds.pairs;
-  if (!sound) return false;
+  if (!sound) {
+    solid.unsound = find_unsound(solid, state);
+    return false;
+  }
   const bool store = solid.stored_force.components() > 0;
 #pragma omp parallel for schedule(static)
   for (Index b = 0; b < blocks; ++b) {
