@@ -37,7 +37,12 @@ endfunction()
 
 # plumbline_catalogue(ROOM FOLDER TYPE HEADER): every FOLDER/some_thing.hpp defines `struct SomeThing`; the
 # generated HEADER includes them all and lists them as `using TYPE = TypeList<...>`. A new part is one new file.
+# A fifth argument names the namespace of the parts, if it is not plumb.
 function(plumbline_catalogue include_prefix folder type header)
+  set(namespace plumb)
+  if(ARGC GREATER 4)
+    set(namespace ${ARGV4})
+  endif()
   file(GLOB files CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*.hpp)
   list(SORT files)
   set(includes "")
@@ -61,9 +66,9 @@ function(plumbline_catalogue include_prefix folder type header)
 #pragma once
 #include \"plumbline/core/type_list.hpp\"
 ${includes}
-namespace plumb {
+namespace ${namespace} {
 using ${type} = TypeList<${names}>;
-}
+}  // namespace ${namespace}
 ")
 endfunction()
 
