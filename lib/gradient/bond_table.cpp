@@ -70,6 +70,22 @@ Kinds kinds_by_neighbourhood(const Cloud<d>& cloud, const Neighbours& all, const
   });
 }
 
+/// Particles whose bonds have the same constants (to 2^-30 of their size) at the same offsets are of one
+/// kind.
+template <int d>
+Kinds kinds_by_stencil(const Cloud<d>& cloud, const Slots& slots,
+                       const std::vector<std::vector<BondConstants<d>>>& bonds) {
+  if (cloud.line == 0) return all_different(cloud.size());
+  const double per_length = 0x1p30 * cloud.spacing, volume = 0x1p30 / std::pow(cloud.spacing, d);
+  return group(cloud.size(), [&](Index i, std::vector<std::int64_t>& value) {
+    value.push_back(std::llround(cloud.V[i] * volume));
+    for (const auto& bond : bonds[i]) {
+      value.push_back(slots.of(bond.other) - slots.of(i));
+      for (int k = 0; k < d; ++k) value.push_back(std::llround(bond.stencil[k] * per_length));
+    }
+  });
+}
+
 /// The row of particle i depends on its own kind and those of its neighbours.
 template <int d>
 Kinds kinds_by_neighbours(const Cloud<d>& cloud, const Neighbours& all, const Kinds& own) {
@@ -184,13 +200,21 @@ std::size_t BondTable<d>::bytes() const {
 }
 
 template <int d>
-BondTable<d> make_bond_table(const Cloud<d>& cloud, const BondOptions<d>& options) {
+BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
   BondTable<d> table;
   table.slots = make_slots(cloud.size(), cloud.line);
   table.width = table.slots.width;
   const Neighbours all = find_neighbours<d>(cloud, options.kernel.support * options.smoothing_length);
-  const Kinds neighbourhoods = kinds_by_neighbourhood<d>(cloud, all, table.slots);
-  const auto bonds = bonds_of_kinds<d>(cloud, all, neighbourhoods, options);
+  Kinds neighbourhoods =
+      options.project ? all_different(cloud.size()) : kinds_by_neighbourhood<d>(cloud, all, table.slots);
+  auto bonds = bonds_of_kinds<d>(cloud, all, neighbourhoods, options);
+  if (options.project) {
+    options.project(cloud, all, bonds);
+    neighbourhoods = kinds_by_stencil<d>(cloud, table.slots, bonds);
+    std::vector<std::vector<BondConstants<d>>> shared;
+    for (const Index i : neighbourhoods.representative) shared.push_back(std::move(bonds[i]));
+    bonds = std::move(shared);
+  }
   const Kinds kinds = kinds_by_neighbours<d>(cloud, all, neighbourhoods);
 
   std::vector<SlotRow<d>> rows(kinds.representative.size());
@@ -229,8 +253,8 @@ BondTable<d> make_bond_table(const Cloud<d>& cloud, const BondOptions<d>& option
 template struct BondTable<1>;
 template struct BondTable<2>;
 template struct BondTable<3>;
-template BondTable<1> make_bond_table<1>(const Cloud<1>&, const BondOptions<1>&);
-template BondTable<2> make_bond_table<2>(const Cloud<2>&, const BondOptions<2>&);
-template BondTable<3> make_bond_table<3>(const Cloud<3>&, const BondOptions<3>&);
+template BondTable<1> make_bond_table<1>(Cloud<1>&, const BondOptions<1>&);
+template BondTable<2> make_bond_table<2>(Cloud<2>&, const BondOptions<2>&);
+template BondTable<3> make_bond_table<3>(Cloud<3>&, const BondOptions<3>&);
 
 }  // namespace plumb

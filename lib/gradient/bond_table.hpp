@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +10,16 @@
 #include "plumbline/momentum/momentum_form.hpp"
 
 namespace plumb {
+
+/// One particle's bonds, before they are packed.
+template <int d>
+struct BondConstants {
+  Index other;        ///< particle number
+  Vec<d> separation;  ///< X_ij [m]
+  Vec<d> stencil;     ///< c_ij [1/m]
+  Vec<d> gradient;    ///< V_j grad W~_j(X_i) [1/m]
+  double laplacian;   ///< w_ij, without the volume
+};
 
 /// What acts at set-up and is gone afterwards.
 template <int d>
@@ -21,6 +32,10 @@ struct BondOptions {
   bool laplacian = false;        ///< weights of the corrected Laplacian (27), (28) for JST
   double laplacian_factor = 2;   ///< phi = -factor W'/r; 2 is the consistent one, 1 probably the paper's
   bool outer_transpose = false;  ///< outer level L^T V L instead of the symmetrised (28)
+  /// Changes the stencils (and, if it must, the volumes) of all particles together, once: the seam for tables
+  /// that are projected onto global constraints. Empty: every particle's stencil comes from its own
+  /// neighbourhood.
+  std::function<void(Cloud<d>&, const Neighbours&, std::vector<std::vector<BondConstants<d>>>&)> project;
 };
 
 /// The reference neighbourhood as constants per bond: all that the kernel, the correction, the estimator and
@@ -51,20 +66,11 @@ struct BondTable {
   std::size_t bytes() const;
 };
 
-/// Builds the table. Throws InputError naming the particle, its position and the number of its neighbours
-/// where the neighbourhood is singular, and both particles where two coincide.
+/// Builds the table; the cloud's volumes change only by options.project. Throws InputError naming the
+/// particle, its position and the number of its neighbours where the neighbourhood is singular, and both
+/// particles where two coincide.
 template <int d>
-BondTable<d> make_bond_table(const Cloud<d>& cloud, const BondOptions<d>& options);
-
-/// One particle's bonds, before they are packed.
-template <int d>
-struct BondConstants {
-  Index other;        ///< particle number
-  Vec<d> separation;  ///< X_ij [m]
-  Vec<d> stencil;     ///< c_ij [1/m]
-  Vec<d> gradient;    ///< V_j grad W~_j(X_i) [1/m]
-  double laplacian;   ///< w_ij, without the volume
-};
+BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options);
 
 /// Bonds of particle i by the options' pair and estimator (without the particle itself).
 template <int d>

@@ -11,7 +11,8 @@ namespace plumb {
 
 /// A gradient estimator turns the corrected kernel of one particle into constant vectors c_ij [1/m], one per
 /// neighbour, so that F_i = sum_j (x_j - x_i) (x) c_ij (THEORY (3.1)). The entry of the particle itself is
-/// zero. A new estimator is one file in estimators/.
+/// zero. One that does not reproduce affine maps says so: `template <int d> static constexpr bool affine`. A
+/// new estimator is one file in estimators/.
 template <class E, int d>
 concept Estimator = requires(Neighbourhood<d> neighbours, const CorrectedKernel<d>& kernel) {
   { E::name } -> std::convertible_to<std::string_view>;

@@ -25,7 +25,7 @@ struct Elastic {
 /// scalar type with arithmetic and reciprocal_cbrt (double, complex, autodiff, Pack). In 2D the strain is
 /// plane: F_33 = 1. A new material is one file in models/ with a constructor from Elastic.
 template <class M, int d>
-concept Material = std::constructible_from<M, Elastic> && requires(const M& m, const Mat<d>& F) {
+concept MaterialModel = std::constructible_from<M, Elastic> && requires(const M& m, const Mat<d>& F) {
   { M::name } -> std::convertible_to<std::string_view>;
   { m.energy(F) } -> std::convertible_to<double>;
   { m.first_piola(F) } -> std::convertible_to<Mat<d>>;

@@ -32,8 +32,8 @@ struct Body {
 /// Throws InputError when d does not divide the size; it then names the nearest spacings that do.
 Body with_spacing(Body body, double d);
 
-/// [material]: homogeneous and elastic.
-struct Material {
+/// [material]: homogeneous and elastic. (`Material` is the concept that models meet.)
+struct MaterialChoice {
   std::string model = "neo-hookean";
   double young = 0.0;    ///< E [Pa] > 0, required
   double poisson = 0.0;  ///< -1 < nu < 0.5, required
@@ -120,7 +120,7 @@ struct Scene {
   std::optional<double> end_time;  ///< [s]
   std::optional<long> max_steps;
   Body body;
-  Material material;
+  MaterialChoice material;
   Method method;
   std::optional<Jst> jst;
   std::optional<Hourglass> hourglass;

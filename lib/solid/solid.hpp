@@ -74,7 +74,7 @@ struct Solid {
 };
 
 /// The loops of material M for tables of the given width.
-template <int d, Material<d> M>
+template <int d, MaterialModel<d> M>
 Sweeps<d> make_sweeps(const M& material, int width) {
   const auto with_width = [&]<int W>(std::integral_constant<int, W>) {
     Sweeps<d> s;

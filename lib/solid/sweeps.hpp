@@ -37,7 +37,7 @@ inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Fie
 
 /// First Piola-Kirchhoff stress [Pa] of one block into P (d x d components, row by row), and F into `F_out`
 /// if a term needs it. Returns false if some determinant is not positive (or not a number).
-template <int d, int W, Material<d> M>
+template <int d, int W, MaterialModel<d> M>
 bool stress_sweep(const BondTable<d>& bonds, const M& material, const Field& u, const Block& block, Field& P,
                   Field* F_out) {
   using Real = Pack<W>;
@@ -81,7 +81,7 @@ void force_sweep(const BondTable<d>& bonds, const Field& P, const Block& block, 
 }
 
 /// Strain energy sum V W(F) of one block [J].
-template <int d, int W, Material<d> M>
+template <int d, int W, MaterialModel<d> M>
 double energy_sweep(const BondTable<d>& bonds, const M& material, const Field& u, const Block& block,
                     const double* volume) {
   Pack<W> sum(0);

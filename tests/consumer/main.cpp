@@ -1,4 +1,5 @@
-// A small program of somebody else's: the first-order correction at the corner of a 2D lattice, by the installed package.
+// A small program of somebody else's: the first-order correction at the corner of a 2D lattice, by the
+// installed package.
 #include <cmath>
 #include <cstdio>
 
@@ -17,7 +18,8 @@ int main() {
   plumb::Mat<2> gradient = plumb::Mat<2>::Zero();  // of the map x = X: the identity
   for (std::size_t j = 0; j < corner.size(); ++j) gradient += corner[j].separation * table[j].transpose();
 
-  std::printf("alpha = %.11f, beta = %.11f, F_xx = %.15f\n", corrected.alpha, corrected.beta[0], gradient(0, 0));
+  std::printf("alpha = %.11f, beta = %.11f, F_xx = %.15f\n", corrected.alpha, corrected.beta[0],
+              gradient(0, 0));
   const bool right = std::abs(corrected.alpha - 1.75308788617) < 1e-11 &&  // 12 digits are known
                      (gradient - plumb::Mat<2>::Identity()).norm() < 1e-13;
   return right ? 0 : 1;

@@ -11,6 +11,8 @@ namespace plumb {
 /// THEORY (3.3).
 struct Bond {
   static constexpr std::string_view name = "bond";
+  template <int d>
+  static constexpr bool affine = false;  ///< whether affine maps are reproduced
 
   template <int d>
   static std::vector<Vec<d>> stencil(Neighbourhood<d> neighbours, const CorrectedKernel<d>& kernel) {

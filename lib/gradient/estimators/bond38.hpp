@@ -10,6 +10,8 @@ namespace plumb {
 /// reproduced in 2D and 3D. Kept to show that it fails its patch test. THEORY (3.4).
 struct Bond38 {
   static constexpr std::string_view name = "bond38";
+  template <int d>
+  static constexpr bool affine = d == 1;  ///< whether affine maps are reproduced
 
   template <int d>
   static std::vector<Vec<d>> stencil(Neighbourhood<d> neighbours, const CorrectedKernel<d>& kernel) {

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plumbline/boundary/supports.hpp"
+#include "plumbline/dissipation/jst.hpp"
+#include "plumbline/scene/scene.hpp"
+#include "plumbline/solid/run.hpp"
+
+namespace plumb {
+
+/// A scene made ready to run. What the scene does not name is not in it.
+template <int d>
+struct Simulation {
+  Solid<d> solid;
+  State<d> state;
+  Stepper<d> stepper;
+  StepControl control;
+  std::vector<Support<d>> supports;
+  std::vector<std::string> warnings;  ///< for people: settings that work but may surprise
+};
+
+/// Particles of [body].
+template <int d>
+Cloud<d> make_cloud(const Body& body);
+
+/// Set-up choices of [method] and [jst] for a cloud.
+template <int d>
+BondOptions<d> bond_options(const Scene& scene, double spacing);
+
+/// Builds the whole scene. Throws InputError.
+template <int d>
+Simulation<d> make_simulation(const Scene& scene);
+
+/// One array of a simulation, for `plumb explain` and memory figures.
+struct ArrayEntry {
+  std::string name;
+  std::size_t bytes;
+};
+template <int d>
+std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation);
+
+}  // namespace plumb
