@@ -122,9 +122,8 @@ std::vector<std::string> warnings(const Discretisation& d, const std::vector<Fie
     all.push_back(
         nearest == 1
             ? fmt::format("R/dx = {:.12g}: R is the spacing itself, rounding picks the neighbours", ratio)
-            : fmt::format("R/dx = {:.12g} is a lattice distance: the particles at r = R count as "
-                          "outside (harmless, W(R) = 0)",
-                          ratio));
+            : "R is a whole number of spacings: the particles at r = R count as outside (harmless, W(R) = "
+              "0)");
   for (const Field& field : fields)
     if (const auto* sine = std::get_if<Sine>(&field.form))
       if (std::abs(sine->wave_number) * d.dx() > std::numbers::pi)

@@ -11,6 +11,7 @@
 #include "oned/study.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/oned_options.hpp"
+#include "plumb/oned_pictures.hpp"
 #include "plumb/session.hpp"
 
 namespace plumb {
@@ -26,12 +27,19 @@ Json number(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+void draw(const Session& session, const reports::Picture& picture) {
+  if (session.plot.empty()) return;
+  for (const auto& dropped : reports::save(picture, session.plot))
+    std::cerr << fmt::format("plumb: warning: {}: {} points not drawn, {}\n", dropped.series, dropped.points,
+                             dropped.why);
+}
+
 void warn(const Session& session, const std::vector<std::string>& warnings) {
   if (session.quiet) return;
   for (const auto& text : warnings) std::cerr << "plumb: warning: " << text << '\n';
 }
 
-int kernels(const Session& session, const OnedOptions& options, double at) {
+int kernels(const Session& session, const OnedOptions& options, double at, bool gradients) {
   const oned::Discretisation d = options.discretisation();
   const oned::KernelView view = oned::explore(d, at);
   warn(session, oned::warnings(d, {}));
@@ -64,10 +72,11 @@ int kernels(const Session& session, const OnedOptions& options, double at) {
                       {"beta", view.beta},
                       {"sums", sums},
                       {"rows", rows}});
+  draw(session, kernel_picture(view, gradients));
   return 0;
 }
 
-int gradient(const Session& session, const OnedOptions& options) {
+int gradient(const Session& session, const OnedOptions& options, bool errors) {
   const oned::Discretisation d = options.discretisation();
   const auto fields = options.parsed_fields();
   const auto result = oned::gradient_rows(d, fields, options.methods());
@@ -85,6 +94,7 @@ int gradient(const Session& session, const OnedOptions& options) {
   Json parameters = parameters_of(options);
   parameters["n"] = d.n;
   session.write_json({{"parameters", parameters}, {"dx", d.dx()}, {"radius", d.support()}, {"rows", rows}});
+  draw(session, gradient_picture(result, errors));
   return 0;
 }
 
@@ -147,6 +157,7 @@ int study(const Session& session, OnedOptions options) {
                                   f.fit.levels.size(), name_of(f.trend));
   }
   session.write_json({{"parameters", parameters_of(options)}, {"rows", rows}, {"fits", fits}});
+  draw(session, study_picture(result));
   return 0;
 }
 
@@ -160,28 +171,35 @@ int response(const Session& session, const OnedOptions& options, Index points) {
   session.write_table(rows);
   session.write_json(
       {{"parameters", parameters_of(options)}, {"radius_over_dx", d.support() / d.dx()}, {"rows", rows}});
+  draw(session, response_picture(result));
   return 0;
 }
 
 void add_kernels(CLI::App& group, Session& session) {
   const auto options = std::make_shared<OnedOptions>();
   const auto at = std::make_shared<double>(0);
-  CLI::App& command =
-      add_command(group, session,
-                  {"kernels", "kernels and gradients as seen from one point",
-                   "plumb oned kernels --at 0 --length 2 --n 200 --radius 1"},
-                  {.table = true}, [&session, options, at] { return kernels(session, *options, *at); });
+  const auto gradients = std::make_shared<bool>(false);
+  CLI::App& command = add_command(group, session,
+                                  {"kernels", "kernels and gradients as seen from one point",
+                                   "plumb oned kernels --at 0 --length 2 --n 200 --radius 1"},
+                                  {.table = true, .plot = true}, [&session, options, at, gradients] {
+                                    return kernels(session, *options, *at, *gradients);
+                                  });
   command.add_option("--at", *at, "the evaluation point x in [0, L], a particle or not [m]")->required();
+  command.add_flag("--gradients", *gradients, "--plot draws the gradients instead of the kernels");
   add_cloud_options(command, *options, false);
 }
 
 void add_gradient(CLI::App& group, Session& session) {
   const auto options = std::make_shared<OnedOptions>();
-  CLI::App& command =
-      add_command(group, session,
-                  {"gradient", "estimates of a gradient at every particle",
-                   "plumb oned gradient --field poly:1,1 --estimator standard,bond,improved"},
-                  {.table = true}, [&session, options] { return gradient(session, *options); });
+  const auto errors = std::make_shared<bool>(false);
+  CLI::App& command = add_command(group, session,
+                                  {"gradient", "estimates of a gradient at every particle",
+                                   "plumb oned gradient --field poly:1,1 --estimator standard,bond,improved"},
+                                  {.table = true, .plot = true}, [&session, options, errors] {
+                                    return gradient(session, *options, *errors);
+                                  });
+  command.add_flag("--errors", *errors, "--plot draws the errors instead of the estimates");
   add_cloud_options(command, *options, false);
   add_field_option(command, *options);
   add_method_options(command, *options);
@@ -193,7 +211,7 @@ void add_study(CLI::App& group, Session& session) {
       group, session,
       {"study", "error under refinement, with fitted orders",
        "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160 --estimator improved --pair W1 --json -"},
-      {.table = true}, [&session, options] { return study(session, *options); });
+      {.table = true, .plot = true}, [&session, options] { return study(session, *options); });
   add_cloud_options(command, *options, true);
   add_field_option(command, *options);
   add_method_options(command, *options);
@@ -202,11 +220,12 @@ void add_study(CLI::App& group, Session& session) {
 void add_response(CLI::App& group, Session& session) {
   const auto options = std::make_shared<OnedOptions>();
   const auto points = std::make_shared<Index>(100);
-  CLI::App& command = add_command(
-      group, session,
-      {"response", "response inside a uniform lattice to exp(ikX)",
-       "plumb oned response --estimator standard,bond,improved --radius-over-dx 4"},
-      {.table = true}, [&session, options, points] { return response(session, *options, *points); });
+  CLI::App& command =
+      add_command(group, session,
+                  {"response", "response inside a uniform lattice to exp(ikX)",
+                   "plumb oned response --estimator standard,bond,improved --radius-over-dx 4"},
+                  {.table = true, .plot = true},
+                  [&session, options, points] { return response(session, *options, *points); });
   add_cloud_options(command, *options, false);
   add_method_options(command, *options);
   command.add_option("--points", *points, "number of theta = k dx, evenly up to pi")->capture_default_str();
