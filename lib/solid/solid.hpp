@@ -1,4 +1,5 @@
 #pragma once
+#include <complex>
 #include <functional>
 #include <limits>
 #include <string>
@@ -11,6 +12,12 @@ namespace plumb {
 
 template <int d>
 struct Solid;
+
+/// One entry of a stiffness matrix [N/m]; rows and columns are d x particle + component.
+struct StiffnessEntry {
+  Index row, column;
+  double value;
+};
 
 /// An optional part of the right-hand side (dissipation, body force, support, hourglass energy): made only if
 /// a scene names it. Called per block, never per particle. An empty function is not called.
@@ -25,7 +32,27 @@ struct Term {
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
   bool needs_state = false;  ///< `second` reads the state of other slots: forces are stored before the update
   bool needs_F = false;      ///< the deformation gradient is stored
+  /// Adds -dforce/du x volume at the reference state (linearise.hpp); empty: the term has no stiffness.
+  std::function<void(const Solid<d>&, std::vector<StiffnessEntry>&)> stiffness;
 };
+
+/// dP_ab/dF_ce [Pa] at row a d + b, column c d + e.
+template <int d>
+using Tangent = Eigen::Matrix<double, d * d, d * d>;
+
+/// By complex step (exact to round-off): Im P(F + i s D) / s has no cancellation, so that s may be tiny.
+template <int d, MaterialModel<d> M>
+Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
+  constexpr double step = 1e-100;
+  Tangent<d> tangent;
+  for (int n = 0; n < d * d; ++n) {
+    Mat<d, std::complex<double>> Fs = F.template cast<std::complex<double>>();
+    Fs(n / d, n % d) += std::complex<double>(0, step);
+    const Mat<d, std::complex<double>> P = material.first_piola(Fs);
+    for (int m = 0; m < d * d; ++m) tangent(m, n) = P(m / d, m % d).imag() / step;
+  }
+  return tangent;
+}
 
 /// The loops for one material and one pack width, chosen once.
 template <int d>
@@ -34,6 +61,7 @@ struct Sweeps {
   std::function<double(const BondTable<d>&, const Field& u, const Block&, const double* volume)> energy;
   void (*force)(const BondTable<d>&, const Field& P, const Block&, BlockForce<d>&);
   double (*distance)(const BondTable<d>&, const Field& u, const Block&);
+  std::function<Tangent<d>(const Mat<d>& F)> tangent;
 };
 
 /// Work done so far; does not depend on the machine.
@@ -87,6 +115,7 @@ Sweeps<d> make_sweeps(const M& material, int width) {
     };
     s.force = &force_sweep<d, W>;
     s.distance = &distance_sweep<d, W>;
+    s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
     return s;
   };
   return width == 1 ? with_width(std::integral_constant<int, 1>{})
