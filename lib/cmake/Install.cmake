@@ -14,6 +14,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ ${PROJECT_BINARY_DIR}/generated/plu
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline COMPONENT library FILES_MATCHING PATTERN "*.hpp")
 foreach(part mms oned reports)  # included as "mms/..": their include directory is include/plumbline
   if(TARGET plumbline::${part})
+    get_target_property(target plumbline::${part} ALIASED_TARGET)
+    target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/plumbline>)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline
             COMPONENT library FILES_MATCHING PATTERN "*.hpp" PATTERN "out" EXCLUDE)
   endif()

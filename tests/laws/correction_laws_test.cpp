@@ -1,5 +1,5 @@
 // The corrections keep the conditions (5a), (5b), (9a), (9b) of paper 000 at every particle of every cloud,
-// for every kernel of the catalogue in 1D, 2D and 3D; corners included. THEORY (2.1)-(2.4).
+// for every kernel of the catalogue in 1D, 2D and 3D; corners included. THEORY (2.1).
 #include <gtest/gtest.h>
 
 #include "plumbline/gradient/correction.hpp"
