@@ -1,0 +1,47 @@
+#include "reports/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "plumbline/convergence/verdict.hpp"
+#include "reports/page/page.hpp"
+
+namespace plumb::reports {
+
+Check number_check(std::string what, double measured, double expected, double tolerance,
+                   const std::string& reason) {
+  const double error = std::abs(measured - expected);
+  const bool holds = error <= tolerance * std::abs(expected);
+  return {std::move(what), fmt::format("{:.12g} within {:.0e} ({})", expected, tolerance, reason),
+          fmt::format("{:.12g}, off by {:.1e}", measured, error / std::abs(expected)), pass_if(holds)};
+}
+
+Check bound_check(std::string what, double largest, double bound, const std::string& reason) {
+  return {std::move(what), fmt::format("at most {:.0e} ({})", bound, reason), number_text(largest, 2),
+          pass_if(largest <= bound)};
+}
+
+Check order_check(std::string what, const std::vector<double>& spacings, const std::vector<double>& errors,
+                  double declared, const FitOptions& options) {
+  std::vector<Level> levels;
+  for (std::size_t k = 0; k < spacings.size(); ++k) levels.push_back({spacings[k], errors[k]});
+  const OrderFit fit = fit_order(levels, options);
+  return {std::move(what), fmt::format("order {:g}", declared),
+          fmt::format("{:.3f}, 95 % interval [{:.3f}, {:.3f}], {} of {} levels fitted", fit.order, fit.lower,
+                      fit.upper, fit.levels.size(), fit.given),
+          std::string(name_of(judge(fit, declared)))};
+}
+
+DataTable account(std::string id, std::string title, const std::vector<Sentence>& sentences,
+                  std::vector<std::string> jobs) {
+  DataTable table{std::move(id),
+                  std::move(title),
+                  {{"where"}, {"the paper says"}, {"status"}, {"found here"}},
+                  {},
+                  std::move(jobs)};
+  for (const auto& s : sentences) table.rows.push_back({s.where, s.claim, s.status, s.found});
+  return table;
+}
+
+}  // namespace plumb::reports

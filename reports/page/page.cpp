@@ -1,0 +1,100 @@
+#include "reports/page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "plumbline/output/progress.hpp"
+#include "reports/assets.hpp"
+#include "reports/page/parts.hpp"
+#include "reports/plot/svg_text.hpp"
+
+namespace plumb::reports {
+namespace {
+
+using plot::escaped;
+
+std::string tags(const std::vector<std::pair<std::string, std::size_t>>& counts) {
+  std::string out;
+  for (const auto& [name, count] : counts)
+    if (count > 0) out += page::verdict(name, fmt::format("{} {}", count, name)) + " ";
+  return out;
+}
+
+std::string reproduce(const PageSection& section) {
+  if (section.jobs.empty()) return {};
+  std::string out =
+      fmt::format("<h3 id=\"{}-how\">How to reproduce</h3><ul class=\"cmd\">", escaped(section.id));
+  for (const auto& [id, job] : section.jobs)
+    out += fmt::format("<li id=\"cmd-{0}\"><code>{1}</code> <small>{2}</small></li>\n", escaped(id),
+                       escaped(job.command),
+                       job.failure.empty() ? fmt::format("<a href=\"data/{}.json\">JSON</a>, {} of CPU time",
+                                                         escaped(id), duration_text(job.cpu_s))
+                                           : "no result: " + escaped(job.failure));
+  return out + "</ul>\n";
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::size_t>> count_verdicts(const std::vector<PageSection>& sections) {
+  std::map<std::string, std::size_t> found;
+  for (const auto& section : sections)
+    for (const auto& check : section.section.checks) ++found[check.verdict];
+  std::vector<std::pair<std::string, std::size_t>> counts;
+  for (const auto& name : verdict_names()) counts.emplace_back(name, found[name]);
+  return counts;
+}
+
+namespace page {
+
+std::string section(const PageSection& s) {
+  const Section& content = s.section;
+  std::string out = fmt::format(
+      "<section id=\"{}\"><h2>{}</h2><p class=\"q\">{}</p><p class=\"a\">{} {}</p>\n", escaped(s.id),
+      escaped(s.title), escaped(content.question), escaped(content.answer), tags(count_verdicts({s})));
+  if (!content.figures.empty()) {
+    out += "<div class=\"figs\">";
+    for (const auto& f : content.figures) out += figure(f);
+    out += "</div>\n";
+  }
+  out += checks(s.id, content.checks);
+  for (const auto& t : content.tables) out += table(t);
+  for (const auto& note : content.notes) out += "<p class=\"note\">" + escaped(note) + "</p>\n";
+  return out + reproduce(s) + "</section>\n";
+}
+
+std::string first_screen(const Page& page) {
+  std::string out = fmt::format("<header><h1>{}</h1><p class=\"sub\">{}</p><div class=\"tiles\">",
+                                escaped(page.title), escaped(page.subtitle));
+  for (const auto& [name, count] : count_verdicts(page.sections))
+    out += fmt::format("<div class=\"tile v-{0}{1}\"><b>{2}</b> {0}</div>", escaped(name),
+                       count == 0 ? " none" : "", count);
+  out += "</div><dl class=\"facts\">";
+  for (const auto& [name, value] : page.facts)
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escaped(name), escaped(value));
+  out += "</dl></header>\n<nav aria-label=\"Sections\"><ol>";
+  for (const auto& s : page.sections)
+    out += fmt::format("<li><a href=\"#{}\">{}</a> {}<br><span>{}</span></li>\n", escaped(s.id),
+                       escaped(s.title), tags(count_verdicts({s})), escaped(s.section.answer));
+  return out + "</ol></nav>\n";
+}
+
+}  // namespace page
+
+std::string html(const Page& page) {
+  std::string out =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
+      "<meta name=\"color-scheme\" content=\"light dark\"><link rel=\"icon\" href=\"data:,\">";
+  out +=
+      fmt::format("<title>{}</title><style>{}</style></head><body>\n", escaped(page.title), assets::page_css);
+  out += page::first_screen(page) + "<main>\n";
+  for (const auto& section : page.sections) out += page::section(section);
+  out +=
+      "</main><footer><p>The numbers behind each picture and table are in the folder <code>data</code> "
+      "beside this "
+      "page. Nothing on it comes from the network.</p></footer>\n";
+  return out + fmt::format("<script>{}</script></body></html>\n", assets::page_js);
+}
+
+}  // namespace plumb::reports

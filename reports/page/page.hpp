@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/results.hpp"
+#include "reports/section.hpp"
+
+namespace plumb::reports {
+
+/// A section with what the run adds to it.
+struct PageSection {
+  std::string id, title;
+  Section section;
+  std::vector<std::pair<std::string, JobResult>> jobs;  ///< id and what became of it
+};
+
+struct Page {
+  std::string title, subtitle;
+  std::vector<std::pair<std::string, std::string>> facts;  ///< commit, machine, cost, ..
+  std::vector<PageSection> sections;
+};
+
+/// The whole report as one HTML text: style, script and pictures inside, nothing from the network. All of it
+/// can be read without the script, which only sorts and filters tables. Data files are linked relative to it
+/// ("data/ID.csv").
+std::string html(const Page& page);
+
+/// How often each verdict occurs, in the order of verdict_names().
+std::vector<std::pair<std::string, std::size_t>> count_verdicts(const std::vector<PageSection>& sections);
+
+/// A number with `digits` significant digits for people: 1.234e-05 as 1.234·10⁻⁵ (plain text, no markup).
+std::string number_text(double value, int digits);
+
+}  // namespace plumb::reports

@@ -1,0 +1,141 @@
+#include "reports/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/output/file.hpp"
+#include "plumbline/output/progress.hpp"
+#include "plumbline/output/table.hpp"
+#include "reports/page/page.hpp"
+#include "reports/run/process.hpp"
+#include "reports/run/store.hpp"
+#include "reports/sections.hpp"
+
+namespace plumb::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(fmt::format("the folder \"{}\" cannot be made", folder.string()), error.message(),
+                     "Choose another one with --out.");
+}
+
+std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
+  auto plans = section_plans(options.long_run);
+  std::vector<std::string> ids;
+  for (const auto& plan : plans) ids.push_back(plan.id);
+  for (const auto& id : options.only)
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) throw unknown_name("section", id, ids);
+  if (!options.only.empty())
+    std::erase_if(plans, [&](const SectionPlan& plan) {
+      return std::find(options.only.begin(), options.only.end(), plan.id) == options.only.end();
+    });
+  return plans;
+}
+
+Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& options,
+                 ReportSummary& summary) {
+  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads);
+  std::size_t total = 0;
+  for (const auto& plan : plans) total += plan.jobs.size();
+  Results results;
+  for (const auto& plan : plans)
+    for (const auto& job : plan.jobs) {
+      if (options.progress)
+        options.progress(static_cast<double>(summary.jobs) / static_cast<double>(total), job.id);
+      JobResult result = store.get(job);
+      summary.reused += result.reused ? 1 : 0;
+      summary.cpu_s += result.cpu_s;
+      ++summary.jobs;
+      if (result.failure.empty())
+        replace_file(options.out / "data" / (job.id + ".json"),
+                     run::content_of(result.folder / "result.json"));
+      results.add(job.id, std::move(result));
+    }
+  return results;
+}
+
+/// The section, or what is to be said in its place.
+PageSection written(const SectionPlan& plan, const Results& results, ReportSummary& summary) {
+  PageSection out{plan.id, plan.title, {}, {}};
+  for (const auto& job : plan.jobs) out.jobs.emplace_back(job.id, results.job(job.id));
+  try {
+    out.section = plan.write(results);
+  } catch (const MissingResult& missing) {
+    out.section.answer = fmt::format("No answer: {}.", missing.what());
+    out.section.checks = {{plan.title, "a result", missing.what(), "not-computed"}};
+    summary.problems.push_back(fmt::format("{}: {}", plan.id, missing.what()));
+  }
+  return out;
+}
+
+Table csv_of(const DataTable& table) {
+  Table csv;
+  for (const auto& column : table.columns)
+    csv.columns.push_back(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+  for (const auto& row : table.rows) {
+    auto& cells = csv.rows.emplace_back();
+    for (const auto& entry : row) {
+      if (const auto* value = std::get_if<double>(&entry))
+        cells.emplace_back(*value);
+      else if (const auto* text = std::get_if<std::string>(&entry))
+        cells.emplace_back(*text);
+      else
+        cells.emplace_back(std::string());
+    }
+    cells.resize(csv.columns.size(), std::string());
+  }
+  return csv;
+}
+
+void write_data(const Section& section, const fs::path& out) {
+  for (const auto& figure : section.figures) {
+    replace_file(out / "data" / (figure.id + ".csv"), data_csv(figure.picture));
+    save(figure.picture, out / "figures" / (figure.id + ".svg"));
+  }
+  for (const auto& table : section.tables)
+    replace_file(out / "data" / (table.id + ".csv"), csv_text(csv_of(table)));
+}
+
+}  // namespace
+
+std::vector<SectionPlan> section_plans(bool long_run) {
+  auto plans = sections::all(long_run);
+  std::stable_sort(plans.begin(), plans.end(),
+                   [](const auto& a, const auto& b) { return a.place < b.place; });
+  return plans;
+}
+
+ReportSummary make_report(const ReportOptions& options) {
+  const auto plans = chosen_plans(options);
+  for (const char* folder : {"data", "figures", "store"}) make_folder(options.out / folder);
+  ReportSummary summary;
+  summary.page = options.out / "index.html";
+  const Results results = run_jobs(plans, options, summary);
+  Page page{"Plumbline verification report",
+            "Total Lagrangian SPH with corrected kernels and bond-based deformation gradients, held against "
+            "mathematics "
+            "and against what the papers print. Every number below comes from the commands shown with it.",
+            options.facts,
+            {}};
+  for (const auto& plan : plans) {
+    page.sections.push_back(written(plan, results, summary));
+    write_data(page.sections.back().section, options.out);
+  }
+  page.facts.emplace_back("machine", run::machine());
+  page.facts.emplace_back("cost of the studies", fmt::format("{} of CPU time in {} runs",
+                                                             duration_text(summary.cpu_s), summary.jobs));
+  summary.verdicts = count_verdicts(page.sections);
+  replace_file(summary.page, html(page));
+  return summary;
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/section.hpp"
+
+namespace plumb::reports {
+
+/// What `plumb report` needs to know.
+struct ReportOptions {
+  std::filesystem::path out = "reports/out";               ///< folder of the report
+  std::filesystem::path program;                           ///< the plumb executable that runs the studies
+  std::filesystem::path root = ".";                        ///< the folder with verification/scenes in it
+  bool long_run = false;                                   ///< the paper-size studies too
+  int threads = 0;                                         ///< for each study; 0: as many as there are
+  std::vector<std::string> only;                           ///< ids of sections; empty: all
+  std::vector<std::pair<std::string, std::string>> facts;  ///< shown on the first screen, before the cost
+  std::function<void(double, const std::string&)> progress = {};  ///< fraction done, what is being done
+};
+
+struct ReportSummary {
+  std::filesystem::path page;  ///< index.html
+  std::vector<std::pair<std::string, std::size_t>> verdicts;
+  std::vector<std::string> problems;  ///< sections that could not be written, and why
+  std::size_t jobs = 0, reused = 0;
+  double cpu_s = 0;  ///< of the studies, fresh and reused
+};
+
+/// All sections, in the order of the page.
+std::vector<SectionPlan> section_plans(bool long_run);
+
+/// Runs the studies, or takes their stored results, and writes the page, the pictures and the numbers behind
+/// them. A study that fails costs its section the answer, not the report; it is listed under `problems`.
+/// @throws InputError for an unknown section or a folder that cannot be made; OutputError if a file cannot be
+/// written.
+ReportSummary make_report(const ReportOptions& options);
+
+}  // namespace plumb::reports

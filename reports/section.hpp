@@ -1,0 +1,83 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "reports/picture.hpp"
+
+/// What a report says, as values: sections with a question, an answer, pictures, tables and checks.
+namespace plumb::reports {
+
+/// One thing that was checked, with what was found. `verdict` is a name of plumb::Verdict ("pass", "fail",
+/// "not-asymptotic", "noise-floor", "inconclusive") or "not-computed".
+struct Check {
+  std::string what;
+  std::string expected;
+  std::string measured;
+  std::string verdict;
+};
+
+/// The verdicts in the order of the first screen.
+const std::vector<std::string>& verdict_names();
+/// "pass" if it holds, else "fail".
+std::string pass_if(bool holds);
+
+/// One column of a table; numbers are shown with `digits` significant digits, as many as they are worth.
+struct Column {
+  std::string name;
+  std::string unit = {};
+  int digits = 4;
+};
+
+/// An entry: nothing, text or a number (non-finite ones read "not finite").
+using Entry = std::variant<std::monostate, std::string, double>;
+
+struct DataTable {
+  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<std::vector<Entry>> rows;
+  std::vector<std::string> jobs = {};     ///< where the numbers come from
+  std::vector<std::string> figures = {};  ///< for each row the id of its picture, or nothing at all
+};
+
+struct Figure {
+  std::string id;  ///< letters, digits and hyphens; unique in the report
+  Picture picture;
+  std::string caption;
+  std::vector<std::string> jobs = {};  ///< where the numbers come from
+};
+
+/// One section of the report. `answer` is one sentence that the data of this very report support.
+struct Section {
+  std::string question;
+  std::string answer;
+  std::vector<Check> checks = {};
+  std::vector<Figure> figures = {};
+  std::vector<DataTable> tables = {};
+  std::vector<std::string> notes = {};
+};
+
+/// One call of `plumb` whose JSON a section needs. The call is made once and kept by content hash.
+struct Job {
+  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::vector<std::string>
+      arguments;  ///< behind "plumb", without --json; "{out}" stands for a folder of its own
+  std::vector<std::string> inputs = {};  ///< files that it reads, relative to the root; their content counts
+};
+
+class Results;
+
+/// How a section comes about. A file reports/sections/some_name.cpp defines `SectionPlan some_name(bool
+/// long_run)` in namespace plumb::reports::sections; the list of them is generated.
+struct SectionPlan {
+  int place = 0;   ///< sections are ordered by it
+  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::string title;
+  std::vector<Job> jobs;
+  std::function<Section(const Results&)> write;  ///< may throw MissingResult
+};
+
+}  // namespace plumb::reports

@@ -1,0 +1,111 @@
+#include "reports/page/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <regex>
+#include <set>
+
+#include "reports/checks.hpp"
+
+namespace {
+
+using namespace plumb::reports;
+
+Page sample() {
+  Picture picture{"a < b", {"x", "m"}, {"y", "Pa"}};
+  picture.series = {{"line", {1, 2, 3}, {1, 4, 9}}};
+  PageSection section{"plate", "Plate & <script>alert(1)</script>", {}, {}};
+  section.section.question = "Is 1 < 2?";
+  section.section.answer = "Yes \"it\" is.";
+  section.section.checks = {
+      {"order", "2", "2.01", "pass"}, {"floor", "0", "1", "fail"}, {"later", "-", "-", "not-computed"}};
+  section.section.figures = {{"plate-error", picture, "caption & more", {"plate-run"}}};
+  section.section.tables = {
+      {"plate-levels",
+       "Levels",
+       {{"d", "m", 3}, {"error", "m", 2}, {"verdict"}},
+       {{0.1, 1.2345e-7, "pass"}, {0.05, std::numeric_limits<double>::quiet_NaN(), std::monostate{}}},
+       {"plate-run"},
+       {"plate-error", "plate-error"}}};
+  section.section.notes = {"A note."};
+  JobResult job;
+  job.command = "plumb run 'a b.toml'";
+  section.jobs = {{"plate-run", job}};
+  return {"Report", "About", {{"commit", "abc"}}, {section}};
+}
+
+std::set<std::string> all(const std::string& text, const std::string& pattern) {
+  std::set<std::string> found;
+  const std::regex expression(pattern);
+  for (std::sregex_iterator m(text.begin(), text.end(), expression), end; m != end; ++m)
+    found.insert((*m)[1]);
+  return found;
+}
+
+TEST(Page, EveryTextIsEscaped) {
+  const std::string page = html(sample());
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  for (const char* wanted : {"Plate &amp; &lt;script&gt;alert(1)&lt;/script&gt;", "Is 1 &lt; 2?",
+                             "Yes &quot;it&quot; is.", "caption &amp; more", "plumb run &#39;a b.toml&#39;"})
+    EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
+}
+
+TEST(Page, NothingComesFromTheNetwork) {
+  const std::string page = html(sample());
+  for (const auto& place : all(page, "(?:src|href|action)=[\"']([^\"']*)[\"']"))
+    EXPECT_TRUE(place.starts_with("#") || place.starts_with("data") || place.starts_with("figures/"))
+        << place;
+  EXPECT_EQ(page.find("@import"), std::string::npos);
+  EXPECT_EQ(page.find("url("), std::string::npos);
+}
+
+TEST(Page, IdsAreUniqueAndEveryAnchorHasOne) {
+  const std::string page = html(sample());
+  std::multiset<std::string> ids;
+  const std::regex expression(" id=[\"']([^\"']*)[\"']");
+  for (std::sregex_iterator m(page.begin(), page.end(), expression), end; m != end; ++m) ids.insert((*m)[1]);
+  for (const auto& id : ids) EXPECT_EQ(ids.count(id), 1u) << id;
+  for (const auto& anchor : all(page, "href=[\"']#([^\"']*)[\"']"))
+    EXPECT_EQ(ids.count(anchor), 1u) << anchor;
+  EXPECT_EQ(ids.count("cmd-plate-run"), 1u);
+}
+
+TEST(Page, CountsEveryVerdictOnTheFirstScreen) {
+  const auto counts = count_verdicts(sample().sections);
+  ASSERT_EQ(counts.size(), verdict_names().size());
+  EXPECT_EQ(counts[0], (std::pair<std::string, std::size_t>{"pass", 1}));
+  EXPECT_EQ(counts[1].second, 1u);
+  EXPECT_EQ(counts[5].second, 1u);
+  EXPECT_NE(html(sample()).find("<b>1</b> not-computed"), std::string::npos);
+}
+
+TEST(Page, TablesShowRoundedNumbersAndKeepAllDigitsForSorting) {
+  const std::string page = html(sample());
+  const auto sort_values = all(page, "data-v=\"([^\"]*)\">1.2·10⁻⁷</td>");
+  ASSERT_EQ(sort_values.size(), 1u);
+  EXPECT_EQ(std::stod(*sort_values.begin()), 1.2345e-7);
+  EXPECT_NE(page.find(">not finite</td>"), std::string::npos);
+}
+
+TEST(Page, NumbersHaveAsManyDigitsAsTheyAreWorth) {
+  EXPECT_EQ(number_text(1.2345, 3), "1.23");
+  EXPECT_EQ(number_text(123.45, 2), "123");
+  EXPECT_EQ(number_text(-0.0123456, 3), "-0.0123");
+  EXPECT_EQ(number_text(0, 3), "0");
+  EXPECT_EQ(number_text(1.5e12, 2), "1.5·10¹²");
+}
+
+TEST(Checks, VerdictsFollowTheData) {
+  EXPECT_EQ(number_check("", 1.0 + 1e-9, 1.0, 1e-8, "").verdict, "pass");
+  EXPECT_EQ(number_check("", 1.0 + 1e-7, 1.0, 1e-8, "").verdict, "fail");
+  EXPECT_EQ(number_check("", std::numeric_limits<double>::quiet_NaN(), 1.0, 1e-8, "").verdict, "fail");
+  EXPECT_EQ(bound_check("", 2e-12, 1e-12, "").verdict, "fail");
+  EXPECT_EQ(bound_check("", std::numeric_limits<double>::quiet_NaN(), 1e-12, "").verdict, "fail");
+  const std::vector<double> d{0.2, 0.1, 0.05, 0.025};
+  EXPECT_EQ(order_check("", d, {4e-2, 1e-2, 2.5e-3, 6.25e-4}, 2).verdict, "pass");
+  EXPECT_EQ(order_check("", d, {4e-2, 2e-2, 1e-2, 5e-3}, 2).verdict, "fail");
+  EXPECT_EQ(order_check("", {0.2, 0.1}, {4e-2, 1e-2}, 2).verdict, "inconclusive");
+}
+
+}  // namespace

@@ -1,0 +1,88 @@
+#include "reports/report.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "plumb/commands.hpp"
+#include "plumb/provenance.hpp"
+#include "plumb/session.hpp"
+#include "plumbline/core/error.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The folder with verification/scenes in it: the one given, the current one, or the one that this was built
+/// from. Without any, the current one: the studies that need no scene still run, the others say what is
+/// missing.
+std::filesystem::path root_folder(const std::filesystem::path& given) {
+  if (!given.empty() && !std::filesystem::is_directory(given / "verification"))
+    throw InputError(fmt::format("--root: no folder \"{}\"", (given / "verification").string()), "",
+                     "Name the folder that holds verification/scenes.");
+  for (const auto& folder : {given, std::filesystem::path("."), std::filesystem::path(PLUMBLINE_SOURCE_DIR)})
+    if (!folder.empty() && std::filesystem::exists(folder / "verification" / "scenes"))
+      return std::filesystem::canonical(folder);
+  return std::filesystem::current_path();
+}
+
+int report(const Session& session, reports::ReportOptions options) {
+  options.root = root_folder(options.root);
+  options.program = std::filesystem::canonical("/proc/self/exe");
+  options.threads = session.threads;
+  const Json from = provenance();
+  const auto entry = [&from](const char* key) { return from.value(key, Json()); };
+  options.facts = {{"commit", entry("commit").get<std::string>()},
+                   {"version", version()},
+                   {"compiler", entry("compiler").get<std::string>() + ", " +
+                                    entry("build").get<std::string>() + " build"},
+                   {"made", entry("date").get<std::string>()}};
+  Progress progress("report", session.progress());
+  options.progress = [&progress](double fraction, const std::string& job) { progress.update(fraction, job); };
+  const auto summary = reports::make_report(options);
+  progress.finish();
+  Json verdicts = Json::object();
+  std::size_t bad = summary.problems.size();
+  for (const auto& [name, count] : summary.verdicts) {
+    verdicts[name] = count;
+    if (name == "fail") bad += count;
+    session.text() << fmt::format("{:>5} {}\n", count, name);
+  }
+  for (const auto& problem : summary.problems) std::cerr << "plumb: no answer in section " << problem << '\n';
+  session.text() << fmt::format("{} studies, {} of them stored ones\nreport: {}\n", summary.jobs,
+                                summary.reused,
+                                std::filesystem::absolute(summary.page).lexically_normal().string());
+  session.write_json({{"page", summary.page.string()},
+                      {"verdicts", verdicts},
+                      {"problems", summary.problems},
+                      {"studies", summary.jobs},
+                      {"reused", summary.reused},
+                      {"cpu_s", summary.cpu_s}});
+  return bad == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+/// `plumb report`: the verification report.
+void add_report(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<reports::ReportOptions>();
+  options->root.clear();
+  CLI::App& command =
+      add_command(program, session,
+                  {"report", "the verification report: one HTML page, with the data behind it",
+                   "plumb report --out reports/out"},
+                  {}, [&session, options] { return report(session, *options); });
+  command.add_option("--out", options->out, "folder of the report")->type_name("DIR")->capture_default_str();
+  command.add_flag("--long", options->long_run, "the studies in the size of the papers too (hours)");
+  command.add_option("--only", options->only, "sections to make, by name")
+      ->type_name("SECTION")
+      ->delimiter(',');
+  command.add_option("--root", options->root, "folder that holds verification/scenes")->type_name("DIR");
+}
+
+}  // namespace plumb
