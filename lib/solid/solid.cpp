@@ -6,10 +6,12 @@
 namespace plumb {
 
 template <int d>
-Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, int width) {
+Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds) {
   Sweeps<d> sweeps;
-  if (!with_named(MaterialCatalogue{}, material,
-                  [&]<class M>(Type<M>) { sweeps = make_sweeps<d>(M(elastic), width); }))
+  if (!with_named(MaterialCatalogue{}, material, [&]<class M>(Type<M>) {
+        const M model(elastic);
+        sweeps = bonds.width == 1 ? plain_sweeps<d>(model) : lattice_sweeps<d>(model, bonds);
+      }))
     throw unknown_name("material model", material, names_of(MaterialCatalogue{}));
   return sweeps;
 }
@@ -22,7 +24,7 @@ Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& el
   solid.cloud = std::move(cloud);
   solid.elastic = elastic;
   solid.smoothing_length = options.smoothing_length;
-  solid.sweeps = sweeps_named<d>(material, elastic, solid.bonds.width);
+  solid.sweeps = sweeps_named<d>(material, elastic, solid.bonds);
   solid.P = solid.make_field(d * d);
   solid.volume.assign(solid.bonds.slots.count(), 0.0);
   for (Index i = 0; i < solid.cloud.size(); ++i) solid.volume[solid.bonds.slots.of(i)] = solid.cloud.V[i];
@@ -55,9 +57,9 @@ UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state) {
 
 template UnsoundParticle find_unsound<2>(const Solid<2>&, const State<2>&);
 template UnsoundParticle find_unsound<3>(const Solid<3>&, const State<3>&);
-template Sweeps<1> sweeps_named<1>(std::string_view, const Elastic&, int);
-template Sweeps<2> sweeps_named<2>(std::string_view, const Elastic&, int);
-template Sweeps<3> sweeps_named<3>(std::string_view, const Elastic&, int);
+template Sweeps<1> sweeps_named<1>(std::string_view, const Elastic&, const BondTable<1>&);
+template Sweeps<2> sweeps_named<2>(std::string_view, const Elastic&, const BondTable<2>&);
+template Sweeps<3> sweeps_named<3>(std::string_view, const Elastic&, const BondTable<3>&);
 template Solid<1> make_solid<1>(Cloud<1>, std::string_view, const Elastic&, const BondOptions<1>&);
 template Solid<2> make_solid<2>(Cloud<2>, std::string_view, const Elastic&, const BondOptions<2>&);
 template Solid<3> make_solid<3>(Cloud<3>, std::string_view, const Elastic&, const BondOptions<3>&);

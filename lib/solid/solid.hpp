@@ -2,9 +2,11 @@
 #include <complex>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "plumbline/solid/lattice_sweeps.hpp"
 #include "plumbline/solid/state.hpp"
 #include "plumbline/solid/sweeps.hpp"
 
@@ -54,14 +56,14 @@ Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
   return tangent;
 }
 
-/// The loops for one material and one pack width, chosen once.
+/// The loops for one material and one kind of table, chosen once.
 template <int d>
 struct Sweeps {
   std::function<bool(const BondTable<d>&, const Field& u, const Block&, Field& P, Field* F)> stress;
   std::function<double(const BondTable<d>&, const Field& u, const Block&, const double* volume)> energy;
-  void (*force)(const BondTable<d>&, const Field& P, const Block&, BlockForce<d>&);
-  double (*distance)(const BondTable<d>&, const Field& u, const Block&);
-  std::function<Tangent<d>(const Mat<d>& F)> tangent;
+  std::function<void(const BondTable<d>&, const Field& P, const Block&, BlockForce<d>&)> force;
+  std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF at F, for linearisation
+  std::size_t bytes = 0;                               ///< of tables of their own
 };
 
 /// Work done so far; does not depend on the machine.
@@ -101,30 +103,54 @@ struct Solid {
   Field make_field(int components) const { return {components, bonds.slots.count(), bonds.margin}; }
 };
 
-/// The loops of material M for tables of the given width.
+/// The loops of material M over rows of single particles.
 template <int d, MaterialModel<d> M>
-Sweeps<d> make_sweeps(const M& material, int width) {
-  const auto with_width = [&]<int W>(std::integral_constant<int, W>) {
-    Sweeps<d> s;
-    s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P, Field* F) {
-      return stress_sweep<d, W>(bonds, material, u, block, P, F);
-    };
-    s.energy = [material](const BondTable<d>& bonds, const Field& u, const Block& block,
-                          const double* volume) {
-      return energy_sweep<d, W>(bonds, material, u, block, volume);
-    };
-    s.force = &force_sweep<d, W>;
-    s.distance = &distance_sweep<d, W>;
-    s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
-    return s;
+Sweeps<d> plain_sweeps(const M& material) {
+  Sweeps<d> s;
+  s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P, Field* F) {
+    const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
+    return stress_sweep<d, 1>(material, gradient, block, P, F);
   };
-  return width == 1 ? with_width(std::integral_constant<int, 1>{})
-                    : with_width(std::integral_constant<int, native_width>{});
+  s.energy = [material](const BondTable<d>& bonds, const Field& u, const Block& block, const double* volume) {
+    const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
+    return energy_sweep<d, 1>(material, gradient, block, volume);
+  };
+  s.force = &force_sweep<d, 1>;
+  s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
+  return s;
+}
+
+/// The loops of material M over the shared rows of a lattice.
+template <int d, MaterialModel<d> M>
+Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
+  constexpr int W = native_width;
+  const auto table = std::make_shared<const LatticeTable<d>>(make_lattice_table(all));
+  Sweeps<d> s;
+  s.stress = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P,
+                               Field* F) {
+    const auto gradient = [&](Index pack) {
+      return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
+    };
+    return stress_sweep<d, W>(material, gradient, block, P, F);
+  };
+  s.energy = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block,
+                               const double* volume) {
+    const auto gradient = [&](Index pack) {
+      return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
+    };
+    return energy_sweep<d, W>(material, gradient, block, volume);
+  };
+  s.force = [table](const BondTable<d>&, const Field& P, const Block& block, BlockForce<d>& force) {
+    lattice_force_sweep<d, W>(*table, P, block, force);
+  };
+  s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
+  s.bytes = table->bytes();
+  return s;
 }
 
 /// The loops of the material of that name; InputError names the nearest valid one.
 template <int d>
-Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, int width);
+Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds);
 
 /// Puts a body together from its reference configuration; terms are added afterwards with add_term.
 template <int d>

@@ -37,13 +37,13 @@ inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Fie
 
 /// First Piola-Kirchhoff stress [Pa] of one block into P (d x d components, row by row), and F into `F_out`
 /// if a term needs it. Returns false if some determinant is not positive (or not a number).
-template <int d, int W, MaterialModel<d> M>
-bool stress_sweep(const BondTable<d>& bonds, const M& material, const Field& u, const Block& block, Field& P,
-                  Field* F_out) {
+template <int d, int W, MaterialModel<d> M, class DeformationGradient>
+bool stress_sweep(const M& material, DeformationGradient&& deformation_gradient_of_pack, const Block& block,
+                  Field& P, Field* F_out) {
   using Real = Pack<W>;
   Real unsound(0);
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
-    const Mat<d, Real> F = deformation_gradient<d, W>(bonds, u, pack);
+    const Mat<d, Real> F = deformation_gradient_of_pack(pack);
     const Mat<d, Real> stress = material.first_piola(F);
     for (int a = 0; a < d; ++a)
       for (int b = 0; b < d; ++b) stress(a, b).store(P[a * d + b] + pack * W);
@@ -81,12 +81,12 @@ void force_sweep(const BondTable<d>& bonds, const Field& P, const Block& block, 
 }
 
 /// Strain energy sum V W(F) of one block [J].
-template <int d, int W, MaterialModel<d> M>
-double energy_sweep(const BondTable<d>& bonds, const M& material, const Field& u, const Block& block,
+template <int d, int W, MaterialModel<d> M, class DeformationGradient>
+double energy_sweep(const M& material, DeformationGradient&& deformation_gradient_of_pack, const Block& block,
                     const double* volume) {
   Pack<W> sum(0);
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack)
-    sum += material.energy(deformation_gradient<d, W>(bonds, u, pack)) * Pack<W>::load(volume + pack * W);
+    sum += material.energy(deformation_gradient_of_pack(pack)) * Pack<W>::load(volume + pack * W);
   double total = 0;
   for (int lane = 0; lane < W; ++lane) total += sum[lane];
   return total;

@@ -14,6 +14,12 @@ constexpr std::array<std::pair<WaveSpeed, std::string_view>, 3> speed_names = {
      {WaveSpeed::stretch, "stretch"},
      {WaveSpeed::stretch_inverse, "stretch-inverse"}}};
 
+template <int d>
+double least_distance(const BondTable<d>& bonds, const Field& u, const Block& block) {
+  return bonds.width == 1 ? distance_sweep<d, 1>(bonds, u, block)
+                          : distance_sweep<d, native_width>(bonds, u, block);
+}
+
 /// Least principal stretch of every slot.
 template <int d>
 std::vector<double> least_stretches(const Solid<d>& solid, const State<d>& state) {
@@ -50,7 +56,7 @@ double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed spe
   if (speed == WaveSpeed::linear) {
 #pragma omp parallel for schedule(static) reduction(min : least)
     for (Index b = 0; b < blocks; ++b)
-      least = std::min(least, solid.sweeps.distance(solid.bonds, state.u, solid.block(b)));
+      least = std::min(least, least_distance(solid.bonds, state.u, solid.block(b)));
     return std::sqrt(least) / c;
   }
   const std::vector<double> stretch = least_stretches(solid, state);
