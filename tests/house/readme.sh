@@ -1,0 +1,19 @@
+#!/bin/bash
+# readme.sh SOURCE WORK PLUMB: every `plumb` line of README.md does what it says. The quick ones are run as they stand; the
+# long ones (run, report and studies) must at least be subcommands that exist.
+set -euo pipefail
+source=$1 work=$2 plumb=$3
+rm -rf "$work" && mkdir -p "$work" && cd "$work"
+ln -s "$source/verification" verification
+seen=0
+while read -r line; do
+  read -ra words <<<"${line%%#*}"
+  case "${words[1]}" in
+    list | oned | explain) "$plumb" "${words[@]:1}" >out.txt || { echo "failed: $line"; exit 1; } ;;
+    *) "$plumb" "${words[1]}" --help >out.txt || { echo "no such subcommand: $line"; exit 1; } ;;
+  esac
+  [ -s out.txt ] || { echo "prints nothing: $line"; exit 1; }
+  seen=$((seen + 1))
+done < <(grep '^plumb ' "$source/README.md")
+[ "$seen" -ge 5 ] || { echo "found $seen examples only"; exit 1; }
+echo "$seen examples"

@@ -1,0 +1,41 @@
+#!/bin/bash
+# recipes.sh SOURCE WORK BUILD_TYPE LAUNCHER: follows CONTRIBUTING.md in a copy of the tree. Every fenced block whose first line
+# names a file becomes that file; then the steps of the recipes are done.
+set -euo pipefail
+source=$1 work=$2 build_type=$3 launcher=${4:-}
+tree=$work/tree build=$work/build
+mkdir -p "$work"
+rm -rf "$tree"
+mkdir "$tree"
+for part in CMakeLists.txt CMakePresets.json CONTRIBUTING.md lib mms oned reports verification tests; do
+  cp -r "$source/$part" "$tree/"
+done
+
+mkdir -p "$tree/verification/scenes"
+awk -v tree="$tree" '
+  /^```[a-z]+ [^ ]*\// { file = tree "/" $2; next }
+  /^```/ { file = "" }
+  file != "" { print > file }' "$tree/CONTRIBUTING.md"
+for file in lib/kernel/kernels/lucy.hpp lib/material/models/saint_venant_kirchhoff.hpp verification/scenes/stretched-bar.toml; do
+  [ -s "$tree/$file" ] || { echo "CONTRIBUTING.md does not show $file"; exit 1; }
+done
+
+cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE="$build_type" ${launcher:+-DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"}
+cmake --build "$build" -j "${PLUMBLINE_JOBS:-2}" --target plumb tests_laws
+plumb=$build/bin/plumb
+
+passed() {  # passed FILTER: the law tests of that name exist and pass
+  "$build/tests/tests_laws" --gtest_filter="$1" | tee "$work/laws.txt"
+  grep -q '^\[  PASSED  \] [1-9]' "$work/laws.txt"
+}
+passed '*lucy*'
+passed 'MaterialLaws/1.*'  # the second material
+"$plumb" oned kernels --kernel lucy --at 0.5 --quiet --json "$work/lucy.json"
+grep -q lucy "$work/lucy.json"
+scene=$tree/verification/scenes/stretched-bar.toml
+"$plumb" explain "$scene"
+"$plumb" run "$scene" --json "$work/run.json" --out "$work/out"
+grep -q '"completed"' "$work/run.json"
+"$plumb" run "$scene" --set material.model=saint-venant-kirchhoff --json "$work/material.json" --out "$work/out"
+grep -q '"completed"' "$work/material.json"
+! cmp -s "$work/run.json" "$work/material.json"
