@@ -19,11 +19,13 @@ struct Box {
 /// Particles of the reference configuration.
 template <int d>
 struct Cloud {
-  std::vector<Vec<d>> X;  ///< positions [m]
-  std::vector<double> V;  ///< volumes [m^d]
-  double spacing = 0;     ///< typical distance of neighbours d [m]
-  Box<d> box;             ///< the body's box, for faces
-  Index line = 0;         ///< lattices: particles per contiguous line; 0 for any other cloud
+  std::vector<Vec<d>> X;          ///< positions [m]
+  std::vector<double> V;          ///< volumes [m^d]
+  double spacing = 0;             ///< typical distance of neighbours d [m]
+  Box<d> box;                     ///< the body's box, for faces
+  Index line = 0;                 ///< lattices: particles per contiguous line; 0 for any other cloud
+  std::array<Index, d> count{};   ///< lattices: particles along each axis
+  std::array<Index, d> stride{};  ///< lattices: particle numbers from one to the next along each axis
 
   Index size() const { return static_cast<Index>(X.size()); }
 };

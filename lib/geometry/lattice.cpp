@@ -47,6 +47,12 @@ Cloud<d> lattice(const Box<d>& box, const std::array<Index, d>& cells, Layout la
   cloud.spacing = std::pow(step.prod(), 1.0 / d);
   cloud.box = box;
   cloud.line = count[order[0]];
+  cloud.count = count;
+  Index stride = 1;
+  for (const int k : order) {
+    cloud.stride[k] = stride;
+    stride *= count[k];
+  }
   for (Index n = 0; n < total; ++n) {
     Vec<d> X;
     double volume = step.prod();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nanoflann.hpp>
 
 #include "plumbline/core/error.hpp"
@@ -52,33 +53,108 @@ void NeighbourSearch<d>::within(const Vec<d>& point, double R, std::vector<Index
   std::sort(found.begin(), found.end());
 }
 
+namespace {
+
+/// Concatenates rows that were found in parallel.
+Neighbours compressed(const std::vector<std::vector<std::int32_t>>& rows) {
+  Neighbours all;
+  all.begin.push_back(0);
+  for (const auto& row : rows) all.begin.push_back(all.begin.back() + static_cast<Index>(row.size()));
+  all.list.resize(all.begin.back());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    std::copy(rows[i].begin(), rows[i].end(), all.list.begin() + all.begin[i]);
+  return all;
+}
+
+/// A step on the lattice, and what it adds to the particle number.
 template <int d>
-Neighbours find_neighbours(const Cloud<d>& cloud, double R) {
-  const NeighbourSearch<d> search(cloud.X);
-  const Index n = cloud.size();
-  std::vector<std::vector<std::int32_t>> rows(n);
-#pragma omp parallel
-  {
-    std::vector<Index> found;
-#pragma omp for schedule(static)
-    for (Index i = 0; i < n; ++i) {
-      search.within(cloud.X[i], R, found);
-      rows[i].assign(found.begin(), found.end());
+struct LatticeStep {
+  std::array<Index, d> move;
+  Index number;
+};
+
+/// All steps shorter than R, in ascending order of the particle number.
+template <int d>
+std::vector<LatticeStep<d>> steps_within(const Cloud<d>& cloud, double R) {
+  std::array<double, d> length;
+  std::array<Index, d> reach;
+  for (int k = 0; k < d; ++k) {
+    // from the first to the second particle along the axis; an axis of one particle has no steps
+    length[k] = cloud.count[k] > 1 ? cloud.X[cloud.stride[k]][k] - cloud.X[0][k] : 2 * R;
+    reach[k] = static_cast<Index>(R / length[k]);
+  }
+  std::vector<LatticeStep<d>> steps = {{{}, 0}};
+  for (int k = 0; k < d; ++k) {
+    std::vector<LatticeStep<d>> longer;
+    for (const auto& step : steps)
+      for (Index m = -reach[k]; m <= reach[k]; ++m) {
+        LatticeStep<d> next = step;
+        next.move[k] = m;
+        next.number += m * cloud.stride[k];
+        longer.push_back(next);
+      }
+    steps = std::move(longer);
+  }
+  std::erase_if(steps, [&](const LatticeStep<d>& step) {
+    double square = 0;
+    for (int k = 0; k < d; ++k) square += std::pow(static_cast<double>(step.move[k]) * length[k], 2);
+    return std::sqrt(square) >= R * (1 - 1e-12);
+  });
+  std::sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  return steps;
+}
+
+/// By counting on a lattice: no search.
+template <int d>
+Neighbours lattice_neighbours(const Cloud<d>& cloud, double R) {
+  const auto steps = steps_within(cloud, R);
+  std::vector<std::vector<std::int32_t>> rows(cloud.size());
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < cloud.size(); ++i) {
+    std::array<Index, d> place;
+    for (int k = 0; k < d; ++k) place[k] = i / cloud.stride[k] % cloud.count[k];
+    rows[i].reserve(steps.size());
+    for (const auto& step : steps) {
+      bool inside = true;
+      for (int k = 0; k < d; ++k) {
+        const Index at = place[k] + step.move[k];
+        inside = inside && at >= 0 && at < cloud.count[k];
+      }
+      if (inside) rows[i].push_back(static_cast<std::int32_t>(i + step.number));
     }
   }
-  Neighbours all;
-  all.begin.assign(n + 1, 0);
-  for (Index i = 0; i < n; ++i) all.begin[i + 1] = all.begin[i] + static_cast<Index>(rows[i].size());
-  all.list.resize(all.begin[n]);
+  return compressed(rows);
+}
+
+template <int d>
+void refuse_coincident(const Cloud<d>& cloud, const Neighbours& all) {
   const double near = 1e-8 * cloud.spacing;  // the bond quotient loses half of its digits there
-  for (Index i = 0; i < n; ++i) {
-    std::copy(rows[i].begin(), rows[i].end(), all.list.begin() + all.begin[i]);
-    for (const auto j : rows[i])
+  for (Index i = 0; i < cloud.size(); ++i)
+    for (const auto j : all.of(i))
       if (j > i && (cloud.X[j] - cloud.X[i]).norm() < near)
         throw InputError(fmt::format("particles {} and {} coincide", i, j),
                          fmt::format("distance {:.3g} m", (cloud.X[j] - cloud.X[i]).norm()),
                          "remove one of them or reduce the jitter");
+}
+
+}  // namespace
+
+template <int d>
+Neighbours find_neighbours(const Cloud<d>& cloud, double R) {
+  if (cloud.line > 0) return lattice_neighbours(cloud, R);
+  const NeighbourSearch<d> search(cloud.X);
+  std::vector<std::vector<std::int32_t>> rows(cloud.size());
+#pragma omp parallel
+  {
+    std::vector<Index> found;
+#pragma omp for schedule(static)
+    for (Index i = 0; i < cloud.size(); ++i) {
+      search.within(cloud.X[i], R, found);
+      rows[i].assign(found.begin(), found.end());
+    }
   }
+  Neighbours all = compressed(rows);
+  refuse_coincident(cloud, all);
   return all;
 }
 

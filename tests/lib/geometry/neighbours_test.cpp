@@ -66,5 +66,17 @@ TEST(NeighbourSearch, AnyPointMayAsk) {
   EXPECT_TRUE(found.empty());
 }
 
+TEST(Neighbours, LatticesByCountingEqualTheSearch) {
+  const Cloud<3> lattice = small_lattice<3>(Layout::node);
+  Cloud<3> cloud = lattice;
+  cloud.line = 0;  // forget that it is a lattice
+  for (const double beta : {0.6, 0.9, 1.2, 1.5}) {
+    const double R = 2 * beta * cloud.spacing;
+    const Neighbours counted = find_neighbours<3>(lattice, R), searched = find_neighbours<3>(cloud, R);
+    EXPECT_EQ(counted.begin, searched.begin) << beta;
+    EXPECT_EQ(counted.list, searched.list) << beta;
+  }
+}
+
 }  // namespace
 }  // namespace plumb
