@@ -67,7 +67,7 @@ TEST(NeighbourSearch, AnyPointMayAsk) {
 }
 
 TEST(Neighbours, LatticesByCountingEqualTheSearch) {
-  const Cloud<3> lattice = small_lattice<3>(Layout::node);
+  const Cloud<3> lattice = test::small_lattice<3>(Layout::node);
   Cloud<3> cloud = lattice;
   cloud.line = 0;  // forget that it is a lattice
   for (const double beta : {0.6, 0.9, 1.2, 1.5}) {
