@@ -18,11 +18,21 @@ std::string raised(int exponent) {
   return out;
 }
 
+/// Tables with sentences become cards on a narrow screen; tables of numbers scroll.
+bool has_sentences(const DataTable& table) {
+  constexpr std::size_t sentence = 40;  // letters
+  for (const auto& row : table.rows)
+    for (const auto& entry : row)
+      if (const auto* text = std::get_if<std::string>(&entry); text && text->size() > sentence) return true;
+  return false;
+}
+
 std::string cell(const Entry& entry, const Column& column) {
+  const std::string label = " data-l=\"" + escaped(column.name) + "\"";
   if (const auto* text = std::get_if<std::string>(&entry)) {
     const bool is_verdict =
         std::find(verdict_names().begin(), verdict_names().end(), *text) != verdict_names().end();
-    return "<td>" + (is_verdict ? page::verdict(*text, *text) : escaped(*text)) + "</td>";
+    return "<td" + label + ">" + (is_verdict ? page::verdict(*text, *text) : escaped(*text)) + "</td>";
   }
   if (const auto* value = std::get_if<double>(&entry))
     return fmt::format("<td class=\"n\" data-v=\"{:.17g}\">{}</td>", *value,
@@ -65,7 +75,8 @@ std::string table(const DataTable& table) {
   std::string out =
       fmt::format("<details class=\"tb\" id=\"{}\"{}><summary>{} <small>({} rows)</small></summary>",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());
-  out += "<div class=\"scroll\"><table class=\"data\"><thead><tr>";
+  out += "<div class=\"scroll\"><table class=\"data";
+  out += has_sentences(table) ? " cards\"><thead><tr>" : "\"><thead><tr>";
   for (const auto& column : table.columns)
     out += fmt::format("<th scope=\"col\">{}{}</th>", escaped(column.name),
                        column.unit.empty() ? "" : " <small>[" + escaped(column.unit) + "]</small>");
@@ -86,14 +97,15 @@ std::string table(const DataTable& table) {
 std::string checks(const std::string& section_id, const std::vector<Check>& checks) {
   if (checks.empty()) return {};
   std::string out = fmt::format(
-      "<h3 id=\"{}-checks\">Checks</h3><div class=\"scroll\"><table class=\"data checks\"><thead><tr><th "
+      "<h3 id=\"{}-checks\">Checks</h3><div class=\"scroll\"><table class=\"data cards\"><thead><tr><th "
       "scope=\"col\">verdict</th><th scope=\"col\">"
       "what</th><th scope=\"col\">expected</th><th scope=\"col\">found</th></tr></thead><tbody>\n",
       escaped(section_id));
   for (const auto& check : checks)
-    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                       verdict(check.verdict, check.verdict), escaped(check.what), escaped(check.expected),
-                       escaped(check.measured));
+    out += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td data-l=\"expected\">{}</td><td data-l=\"found\">{}</td></tr>\n",
+        verdict(check.verdict, check.verdict), escaped(check.what), escaped(check.expected),
+        escaped(check.measured));
   return out + "</tbody></table></div>\n";
 }
 

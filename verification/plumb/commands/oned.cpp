@@ -10,6 +10,7 @@
 #include "oned/response.hpp"
 #include "oned/study.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/oned_account.hpp"
 #include "plumb/oned_options.hpp"
 #include "plumb/oned_pictures.hpp"
 #include "plumb/session.hpp"
@@ -243,6 +244,7 @@ void add_oned(CLI::App& program, Session& session) {
   add_gradient(group, session);
   add_study(group, session);
   add_response(group, session);
+  add_account(group, session);
 }
 
 }  // namespace plumb

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace plumb {
+struct Session;
+
+/// Adds `plumb oned account`: which sentences of paper 000 on the 1D study hold.
+void add_account(CLI::App& group, Session& session);
+
+}  // namespace plumb
