@@ -81,7 +81,7 @@ std::vector<LatticeStep<d>> steps_within(const Cloud<d>& cloud, double R) {
   for (int k = 0; k < d; ++k) {
     // from the first to the second particle along the axis; an axis of one particle has no steps
     length[k] = cloud.count[k] > 1 ? cloud.X[cloud.stride[k]][k] - cloud.X[0][k] : 2 * R;
-    reach[k] = static_cast<Index>(R / length[k]);
+    reach[k] = std::min(static_cast<Index>(R / length[k]), cloud.count[k] - 1);
   }
   std::vector<LatticeStep<d>> steps = {{{}, 0}};
   for (int k = 0; k < d; ++k) {

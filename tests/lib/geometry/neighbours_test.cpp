@@ -45,6 +45,7 @@ TYPED_TEST(FoundNeighbours, AreMutual) {
 
 TEST(FindNeighbours, RefusesCoincidentParticlesAndNamesBoth) {
   Cloud<2> cloud = test::small_lattice<2>(Layout::cell);
+  cloud.line = 0;  // no lattice any more
   cloud.X[17] = cloud.X[5] + Vec<2>(1e-10, 0);
   try {
     find_neighbours<2>(cloud, 0.36);
