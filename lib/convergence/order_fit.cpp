@@ -75,7 +75,7 @@ double slope_change(const std::vector<double>& x, const std::vector<double>& y,
   std::vector<double> square(n);
   const double middle = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(n);
   for (std::size_t k = 0; k < n; ++k) square[k] = (x[k] - middle) * (x[k] - middle);
-  double c0, c1, cov00, cov01, cov11, chi2;
+  double c0 = 0, c1 = 0, cov00 = 0, cov01 = 0, cov11 = 0, chi2 = 0;
   gsl_fit_wlinear(x.data(), 1, w.data(), 1, square.data(), 1, n, &c0, &c1, &cov00, &cov01, &cov11, &chi2);
   double along = 0;
   for (std::size_t k = 0; k < n; ++k) along += w[k] * (square[k] - c0 - c1 * x[k]) * y[k];
@@ -91,7 +91,7 @@ void fit_line(const std::vector<Weighted>& levels, double confidence, OrderFit& 
   }
   const std::size_t n = x.size();
   if (n < 2) return;
-  double cov00, cov01, cov11, chi2;
+  double cov00 = 0, cov01 = 0, cov11 = 0, chi2 = 0;
   gsl_fit_wlinear(x.data(), 1, w.data(), 1, y.data(), 1, n, &fit.log_constant, &fit.order, &cov00, &cov01,
                   &cov11, &chi2);
   if (n < 3) return;

@@ -168,8 +168,9 @@ void append_row(BondTable<d>& table, const std::vector<const SlotRow<d>*>& lanes
   const auto put = [&](AlignedVector& to, auto&& value) {
     for (int lane = 0; lane < W; ++lane) to.push_back(value(lane));
   };
-  for (const auto& [offset, entry] : by_offset) {
-    table.offset.push_back(offset);
+  for (const auto& offset_and_entry : by_offset) {  // no binding: clang 14 cannot capture one
+    const auto& entry = offset_and_entry.second;
+    table.offset.push_back(offset_and_entry.first);
     for (int k = 0; k < d; ++k) {
       put(table.separation, [&](int l) { return entry[l] ? entry[l]->separation[k] : 0.0; });
       put(table.stencil, [&](int l) { return entry[l] ? entry[l]->stencil[k] : 0.0; });

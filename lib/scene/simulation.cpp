@@ -32,7 +32,7 @@ Vec<d> evaluate_at(const std::vector<Expression>& expressions, const Vec<d>& X) 
 template <int d>
 std::vector<Index> supported_particles(const Cloud<d>& cloud, const Boundary& boundary, Layout layout) {
   if (boundary.face) return particles_on_face(cloud, boundary.face->axis, boundary.face->side > 0, layout);
-  const auto found =
+  auto found =
       particles_where<d>(cloud, [&](const Vec<d>& X) { return boundary.where->holds_at(in_space(X)); });
   if (found.empty())
     throw InputError(fmt::format("boundary where = \"{}\" holds at no particle", boundary.where->text()),

@@ -85,7 +85,7 @@ void lattice_force_sweep(const LatticeTable<d>& table, const Field& P, const Blo
                          BlockForce<d>& force) {
   using Real = Pack<W>;
   ShiftedSums<d, W> sums;
-  const Index packs = static_cast<Index>(table.force_row.size());
+  const auto packs = static_cast<Index>(table.force_row.size());
   for (Index p = block.first_pack - 1; p <= block.end_pack; ++p) {
     const Index in_block = p - block.first_pack;
     if (p >= 0 && p < packs) {
