@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumbline/scene/names.hpp"
+#include "plumbline/scene/readers.hpp"
+
+namespace plumb {
+namespace {
+
+/// As in cells_of (geometry): a spacing typed with seven digits is meant to divide the size.
+constexpr double divides = 1e-6;
+/// A particle needs about a kilobyte: more than this cannot be meant.
+constexpr double most_particles = 1e9;
+
+bool divides_all(const std::vector<double>& size, double d) {
+  return std::all_of(size.begin(), size.end(), [d](double length) {
+    const double cells = length / d;
+    return std::round(cells) >= 1.0 && std::abs(cells - std::round(cells)) <= divides * cells;
+  });
+}
+
+/// The nearest spacings, one at most `d` and one at least, that divide every edge; for the suggestion.
+std::string nearest_spacings(const std::vector<double>& size, double d) {
+  const double shortest = *std::min_element(size.begin(), size.end());
+  const long start = static_cast<long>(std::floor(shortest / d));
+  std::vector<std::string> found;
+  for (const long step : {-1L, +1L}) {
+    for (long n = step < 0 ? start : start + 1; n >= 1 && n <= start + 1000; n += step) {
+      const double candidate = shortest / static_cast<double>(n);
+      if (!divides_all(size, candidate)) continue;
+      found.push_back(fmt::format("{:.9g}", candidate));
+      break;
+    }
+  }
+  return found.empty() ? "" : "the nearest that do: " + join(found, " and ") + " m";
+}
+
+std::string joined(const auto& numbers) {
+  std::vector<std::string> words;
+  for (const auto number : numbers) words.push_back(fmt::format("{:.9g}", static_cast<double>(number)));
+  return "[" + join(words) + "]";
+}
+
+double spacing_of_counts(const Body& body) {
+  const long ends = body.layout == Layout::node ? 1 : 0;
+  std::vector<double> spacings;
+  for (std::size_t k = 0; k < body.size.size(); ++k)
+    spacings.push_back(body.size[k] / static_cast<double>(body.particles[k] - ends));
+  const auto [least, most] = std::minmax_element(spacings.begin(), spacings.end());
+  if (*most - *least <= divides * *most) return spacings.front();
+  const bool fits = divides_all(body.size, spacings.front());
+  throw InputError(
+      fmt::format("particles {} give unequal spacings {} m", joined(body.particles), joined(spacings)),
+      ends ? "they must be equal in all directions; on a node layout n particles span n - 1 spacings"
+           : "they must be equal in all directions",
+      fits ? fmt::format("use {}", joined(with_spacing(body, spacings.front()).particles)) : "");
+}
+
+void resolve_lattice(const Section& section, Body& body, int dimension) {
+  const auto spacing = section.optional_number("spacing", quantity::length, Sign::positive);
+  const bool counted = section.has("particles");
+  if (!spacing && !counted)
+    section.fail("spacing", "missing key", "the body has neither spacing nor particles",
+                 "add spacing = .. or particles = [..]");
+  try {
+    std::optional<double> of_counts;
+    if (counted) {
+      const long least = body.layout == Layout::node ? 2 : 1;
+      body.particles = section.integers("particles", static_cast<std::size_t>(dimension), least);
+      of_counts = spacing_of_counts(body);
+    }
+    if (spacing && of_counts && std::abs(*spacing - *of_counts) > divides * *spacing)
+      section.fail("spacing", "contradicts particles",
+                   fmt::format("spacing {:.9g} m, but particles {} on this size give {:.9g} m", *spacing,
+                               joined(body.particles), *of_counts),
+                   "leave one of them out");
+    body = with_spacing(body, spacing ? *spacing : *of_counts);
+  } catch (const SceneError&) {
+    throw;
+  } catch (const InputError& error) {
+    section.fail(spacing ? "spacing" : "particles", error.problem(), error.why(), error.suggestion());
+  }
+}
+
+}  // namespace
+
+Body with_spacing(Body body, double d) {
+  if (!(d > 0.0) || !std::isfinite(d))
+    throw InputError(fmt::format("spacing {} m is not positive and finite", d), "it must be", "");
+  const double shortest = *std::min_element(body.size.begin(), body.size.end());
+  if (d > shortest * (1.0 + divides))
+    throw InputError("the body is empty",
+                     fmt::format("spacing {:.9g} m exceeds its size {} m", d, joined(body.size)),
+                     nearest_spacings(body.size, d));
+  if (!divides_all(body.size, d))
+    throw InputError(fmt::format("spacing {:.9g} m does not divide the size {} m", d, joined(body.size)),
+                     "particles would not fill the body", nearest_spacings(body.size, d));
+  const long ends = body.layout == Layout::node ? 1 : 0;
+  double total = 1.0;
+  for (const double length : body.size) total *= std::round(length / d) + static_cast<double>(ends);
+  if (total > most_particles)
+    throw InputError(fmt::format("{:.3g} particles", total),
+                     fmt::format("at most {:.0g} fit", most_particles), "use a larger spacing");
+  body.spacing = d;
+  body.particles.clear();
+  for (const double length : body.size) body.particles.push_back(std::lround(length / d) + ends);
+  return body;
+}
+
+Body read_body(const Section& section, int dimension, bool with_lattice) {
+  Body body;
+  body.shape = section.choice_or("shape", body.shape, shape_names());
+  body.size = section.numbers("size", static_cast<std::size_t>(dimension), quantity::length, Sign::positive);
+  const int given = static_cast<int>(body.size.size());
+  if (given != 2 && given != 3)
+    section.fail("size", fmt::format("{} values", given), "a body has 2 or 3 dimensions");
+  body.origin.assign(body.size.size(), 0.0);
+  if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
+  const std::string layout = section.choice_or("layout", "node", layout_names());
+  body.layout = layout == "cell" ? Layout::cell : layout == "mirror" ? Layout::mirror : Layout::node;
+  body.jitter = section.number_or("jitter", body.jitter, quantity::number, Sign::not_negative);
+  if (body.jitter >= 0.5)
+    section.fail("jitter", fmt::format("{} is too large", body.jitter),
+                 "it is a fraction of the spacing below 0.5, or particles could meet");
+  body.seed = static_cast<std::uint64_t>(section.integer_or("seed", static_cast<long>(body.seed), 0));
+  if (with_lattice) resolve_lattice(section, body, given);
+  section.reject_unknown();
+  return body;
+}
+
+}  // namespace plumb

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include "plumbline/scene/names.hpp"
+#include "plumbline/scene/readers.hpp"
+
+namespace plumb {
+
+MaterialChoice read_material(const Section& section) {
+  MaterialChoice material;
+  material.model = section.choice_or("model", material.model, material_names());
+  material.young = section.number("young", quantity::stress, Sign::positive);
+  material.poisson = section.number("poisson", quantity::number);
+  if (material.poisson >= 0.5)
+    section.fail("poisson", fmt::format("{} is too large", material.poisson),
+                 "at 0.5 the material is incompressible and its bulk modulus infinite", "use at most 0.4999");
+  if (material.poisson <= -1.0)
+    section.fail("poisson", fmt::format("{} is too small", material.poisson),
+                 "at -1 the shear modulus is infinite", "common solids have 0 to 0.5");
+  material.density = section.number("density", quantity::density, Sign::positive);
+  section.reject_unknown();
+  return material;
+}
+
+Method read_method(const Section& root) {
+  Method method;
+  const auto section = root.optional_section("method");
+  if (!section) return method;
+  method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
+  method.beta = section->number_or("beta", method.beta, quantity::number, Sign::positive);
+  method.pair = section->choice_or("pair", method.pair, pair_names());
+  method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
+  method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
+  method.integrator = section->choice_or("integrator", method.integrator, integrator_names());
+  method.wave_speed = section->choice_or("wave_speed", method.wave_speed, wave_speed_names());
+  method.time_step = section->optional_number("time_step", quantity::time, Sign::positive);
+  const auto cfl = section->optional_number("cfl", quantity::number, Sign::positive);
+  if (cfl && method.time_step)
+    section->fail("time_step", "contradicts cfl", "the step is either fixed or follows from cfl",
+                  "leave one of them out");
+  if (method.time_step && section->has("wave_speed"))
+    section->fail("wave_speed", "contradicts time_step", "a fixed step does not depend on the wave speed",
+                  "leave one of them out");
+  if (cfl) method.cfl = cfl;
+  if (method.time_step) method.cfl = std::nullopt;
+  section->reject_unknown();
+  return method;
+}
+
+std::optional<Jst> read_jst(const Section& root) {
+  const auto section = root.optional_section("jst");
+  if (!section) return std::nullopt;
+  Jst jst;
+  jst.eta2 = section->number_or("eta2", jst.eta2, quantity::number, Sign::not_negative);
+  jst.eta4 = section->number_or("eta4", jst.eta4, quantity::number, Sign::not_negative);
+  jst.laplacian_factor =
+      section->number_or("laplacian_factor", jst.laplacian_factor, quantity::number, Sign::positive);
+  jst.outer = section->choice_or("outer", jst.outer, outer_laplacian_names());
+  section->reject_unknown();
+  return jst;
+}
+
+std::optional<Hourglass> read_hourglass(const Section& root) {
+  const auto section = root.optional_section("hourglass");
+  if (!section) return std::nullopt;
+  Hourglass hourglass;
+  hourglass.alpha = section->number_or("alpha", hourglass.alpha, quantity::number, Sign::not_negative);
+  section->reject_unknown();
+  return hourglass;
+}
+
+const Alternatives& scene_alternatives() {
+  static const Alternatives alternatives{{"body.spacing", "body.particles"},
+                                         {"method.cfl", "method.time_step"},
+                                         {"initial.velocity", "initial.spin"},
+                                         {"study.time", "study.periods"}};
+  return alternatives;
+}
+
+}  // namespace plumb

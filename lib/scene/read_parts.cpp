@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plumbline/scene/names.hpp"
+#include "plumbline/scene/readers.hpp"
+
+namespace plumb {
+namespace {
+
+std::array<double, 3> read_spin(const Section& section, int dimension) {
+  if (dimension == 2 && !section.is_array("spin"))
+    return {0.0, 0.0, section.number("spin", quantity::angular_velocity)};
+  const auto spin = section.numbers("spin", 3, quantity::angular_velocity);
+  if (dimension == 2 && (spin[0] != 0.0 || spin[1] != 0.0))
+    section.fail("spin", "leaves the plane", "in 2D a body turns about z only", "write [0, 0, w]");
+  return {spin[0], spin[1], spin[2]};
+}
+
+Face read_face(const Section& section, int dimension) {
+  const std::string name = section.choice_or("face", "", face_names(dimension));
+  return {name[0] - 'x', name[1] == '-' ? -1 : +1};
+}
+
+Boundary read_boundary(const Section& section, int dimension) {
+  Boundary boundary;
+  const bool on_face = section.has("face");
+  const bool by_formula = section.has("where");
+  if (on_face && by_formula)
+    section.fail("where", "contradicts face", "a boundary is given by one of them", "write two boundaries");
+  if (!on_face && !by_formula)
+    section.fail("", "missing key face or where", "a boundary must say where it is",
+                 fmt::format("add face = \"{}\"", face_names(dimension).front()));
+  if (on_face) boundary.face = read_face(section, dimension);
+  if (by_formula) boundary.where = section.formula("where", dimension, quantity::number);
+  if (!section.has("kind"))
+    section.fail("kind", "missing key", "it has no default", "valid: " + join(boundary_kind_names()));
+  const std::string kind = section.choice_or("kind", "", boundary_kind_names());
+  boundary.kind = kind == "roller"     ? BoundaryKind::roller
+                  : kind == "velocity" ? BoundaryKind::velocity
+                                       : BoundaryKind::clamped;
+  if (boundary.kind == BoundaryKind::roller && by_formula)
+    section.fail("kind", "a roller needs a face", "a set of particles has no normal direction",
+                 "use face instead of where");
+  if (section.has("velocity") && boundary.kind != BoundaryKind::velocity)
+    section.fail("velocity", fmt::format("contradicts kind = \"{}\"", kind),
+                 "only kind = \"velocity\" has one", "leave it out or change the kind");
+  if (boundary.kind == BoundaryKind::velocity)
+    boundary.velocity = section.formulas("velocity", dimension, quantity::velocity);
+  section.reject_unknown();
+  return boundary;
+}
+
+Probe read_probe(const Section& section, const Body& body) {
+  Probe probe;
+  probe.name = section.text("name");
+  probe.at = section.numbers("at", body.size.size(), quantity::length);
+  for (std::size_t k = 0; k < body.size.size(); ++k) {
+    const double from_origin = probe.at[k] - body.origin[k];
+    const double margin = 1e-9 * body.size[k];  // rounding of typed coordinates
+    if (from_origin < -margin || from_origin > body.size[k] + margin)
+      section.fail(
+          "at", fmt::format("{} = {} m is outside the body", "XYZ"[k], probe.at[k]),
+          fmt::format("it reaches from {:.9g} to {:.9g} m", body.origin[k], body.origin[k] + body.size[k]));
+  }
+  section.reject_unknown();
+  return probe;
+}
+
+}  // namespace
+
+std::optional<Initial> read_initial(const Section& root, int dimension) {
+  const auto section = root.optional_section("initial");
+  if (!section) return std::nullopt;
+  Initial initial;
+  const bool formulas = section->has("velocity");
+  const bool spins = section->has("spin");
+  if (formulas) initial.velocity = section->formulas("velocity", dimension, quantity::velocity);
+  if (spins) initial.spin = read_spin(*section, dimension);
+  if (formulas && spins)
+    section->fail("spin", "contradicts velocity", "the initial velocity is given by one of them",
+                  "add the spin to the formulas");
+  section->reject_unknown();
+  if (!formulas && !spins)
+    section->fail("", "missing key velocity or spin", "the section is there but sets nothing",
+                  "leave out [initial] for a body at rest");
+  return initial;
+}
+
+std::vector<Boundary> read_boundaries(const Section& root, int dimension) {
+  std::vector<Boundary> boundaries;
+  for (const auto& section : root.sections("boundary")) {
+    const Boundary boundary = read_boundary(section, dimension);
+    const bool taken =
+        boundary.face && std::any_of(boundaries.begin(), boundaries.end(),
+                                     [&](const auto& other) { return other.face == boundary.face; });
+    if (taken)
+      section.fail("face", "a second boundary on this face", "one face has one kind",
+                   "leave one of them out");
+    boundaries.push_back(boundary);
+  }
+  return boundaries;
+}
+
+std::optional<Output> read_output(const Section& root, const Body& body) {
+  const auto section = root.optional_section("output");
+  if (!section) return std::nullopt;
+  Output output;
+  output.every = section->optional_number("every", quantity::time, Sign::positive);
+  output.vtk = section->flag_or("vtk", output.vtk);
+  output.series = section->flag_or("series", output.series);
+  for (const auto& part : section->sections("probe")) {
+    const Probe probe = read_probe(part, body);
+    for (const auto& other : output.probes)
+      if (other.name == probe.name)
+        part.fail("name", fmt::format("a second probe \"{}\"", probe.name), "results are listed by name");
+    output.probes.push_back(probe);
+  }
+  section->reject_unknown();
+  return output;
+}
+
+}  // namespace plumb

@@ -1,0 +1,62 @@
+#include "plumbline/scene/read_scene.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "plumbline/scene/readers.hpp"
+
+namespace plumb {
+namespace {
+
+void refuse_pointless_mirror(const Section& root, const Scene& scene) {
+  const bool rolls = std::any_of(scene.boundaries.begin(), scene.boundaries.end(),
+                                 [](const auto& b) { return b.kind == BoundaryKind::roller; });
+  if (scene.body.layout == Layout::mirror && !rolls)
+    root.section("body").fail("layout", "mirror without a roller",
+                              "ghosts stand behind rollers: there is nothing "
+                              "to mirror",
+                              "use cell");
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file_name,
+                  const std::vector<std::string>& overrides) {
+  const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
+  const Section root(document, "");
+  for (const char* name :
+       {"scene", "body", "material", "method", "jst", "hourglass", "initial", "boundary", "output"})
+    root.has(name);
+  root.reject_unknown();
+  Scene scene;
+  const Section head = root.section("scene");
+  scene.name = head.text_or("name", std::filesystem::path(file_name).stem().string());
+  if (!head.has("dimension"))
+    head.fail("dimension", "missing key", "it has no default", "add dimension = 2 or dimension = 3");
+  scene.dimension = static_cast<int>(std::min(head.integer_or("dimension", 0, 0), 9L));
+  if (scene.dimension != 2 && scene.dimension != 3)
+    head.fail("dimension", std::to_string(scene.dimension) + " is not possible",
+              "bodies have 2 (plane strain) or 3", "plumb oned studies one dimension");
+  scene.end_time = head.optional_number("end_time", quantity::time, Sign::positive);
+  scene.max_steps = head.optional_integer("max_steps", 1);
+  head.reject_unknown();
+  if (!scene.end_time && !scene.max_steps)
+    head.fail("end_time", "missing key", "neither end_time nor max_steps says when to stop",
+              "add end_time = \"0.1 s\" or max_steps = 100");
+  scene.body = read_body(root.section("body"), scene.dimension, true);
+  scene.material = read_material(root.section("material"));
+  scene.method = read_method(root);
+  scene.jst = read_jst(root);
+  scene.hourglass = read_hourglass(root);
+  scene.initial = read_initial(root, scene.dimension);
+  scene.boundaries = read_boundaries(root, scene.dimension);
+  scene.output = read_output(root, scene.body);
+  refuse_pointless_mirror(root, scene);
+  return scene;
+}
+
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_scene(read_text(path), path, overrides);
+}
+
+}  // namespace plumb

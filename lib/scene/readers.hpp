@@ -1,0 +1,24 @@
+#pragma once
+#include "plumbline/scene/scene.hpp"
+#include "plumbline/scene/section.hpp"
+
+/// One reader per section of scene and study files; each refuses unknown keys. Used by read_scene.cpp and
+/// study.cpp.
+namespace plumb {
+
+/// `with_lattice`: spacing or particles are read and resolved (scenes); otherwise they are unknown keys
+/// (studies). `dimension` 0: as many as body.size has.
+Body read_body(const Section& section, int dimension, bool with_lattice);
+MaterialChoice read_material(const Section& section);
+/// Defaults if the section is absent.
+Method read_method(const Section& root);
+std::optional<Jst> read_jst(const Section& root);
+std::optional<Hourglass> read_hourglass(const Section& root);
+std::optional<Initial> read_initial(const Section& root, int dimension);
+std::vector<Boundary> read_boundaries(const Section& root, int dimension);
+std::optional<Output> read_output(const Section& root, const Body& body);
+
+/// Pairs of keys of which an override of one replaces the other.
+const Alternatives& scene_alternatives();
+
+}  // namespace plumb

@@ -1,0 +1,48 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plumbline/scene/scene.hpp"
+#include "plumbline/scene/scene_error.hpp"
+
+namespace plumb {
+
+/// [expect]: the orders that a study declares before it is run, with the reason.
+struct Expect {
+  std::optional<double> l2, h1;
+  std::string reason;
+};
+
+/// A convergence study (plumb mms): one manufactured solution on a sequence of spacings, in SI units.
+struct Study {
+  std::string name;
+  std::string solution;             ///< a name of the catalogue of manufactured solutions
+  std::vector<double> spacings;     ///< d [m], from coarse to fine; each divides body.size
+  std::optional<double> time;       ///< [s]; exactly one of time and periods is given
+  std::optional<double> periods;    ///< end time as a multiple of the solution's period
+  std::string force = "none";       ///< none: the field as printed | finite-strain: its body force added
+  std::string quadrature = "both";  ///< gauss | nodal | both: nodal norms cost little, so both by default
+  std::map<std::string, double> parameters;  ///< [study.parameters] of the solution, SI units
+  std::optional<Expect> expect;              ///< absent: orders are reported, not judged
+  Body body;                                 ///< without spacing: use with_spacing(body, d)
+  MaterialChoice material;
+  Method method;
+  std::optional<Jst> jst;
+  std::optional<Hourglass> hourglass;
+
+  int dimension() const { return static_cast<int>(body.size.size()); }
+};
+
+/// Reads and checks a study file. `solutions`: the valid names; empty: not checked here. Overrides as in
+/// read_scene. Throws SceneError.
+Study read_study(const std::string& path, const std::vector<std::string>& overrides = {},
+                 const std::vector<std::string>& solutions = {});
+
+/// The same from text; `file_name` is for messages.
+Study parse_study(const std::string& text, const std::string& file_name,
+                  const std::vector<std::string>& overrides = {},
+                  const std::vector<std::string>& solutions = {});
+
+}  // namespace plumb
