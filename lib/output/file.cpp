@@ -59,6 +59,18 @@ void require_writable(const fs::path& path, std::string_view option) {
     refuse(std::strerror(errno), "choose another place");
 }
 
+void require_folder(const fs::path& path, std::string_view option) {
+  std::error_code ignored;
+  fs::path existing = fs::absolute(path, ignored);
+  while (!fs::exists(existing, ignored) && existing.has_relative_path()) existing = existing.parent_path();
+  const auto refuse = [&](std::string why) {
+    throw InputError(fmt::format("{}: cannot write into \"{}\"", option, path.string()), std::move(why),
+                     "choose another place");
+  };
+  if (!fs::is_directory(existing, ignored)) refuse(fmt::format("\"{}\" is not a folder", existing.string()));
+  if (::access(existing.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+}
+
 void replace_file(const fs::path& path, std::string_view content) {
   if (is_special(path)) {
     if (const int error = write_all(path, content)) throw_write_error(path, error);

@@ -19,6 +19,9 @@ class OutputError : public std::runtime_error {
 /// itself. Nothing is written. `option` names what gave the path, for the message ("--json").
 void require_writable(const std::filesystem::path& path, std::string_view option);
 
+/// InputError unless `path` is a folder that can be written or could be made. Nothing is made.
+void require_folder(const std::filesystem::path& path, std::string_view option);
+
 /// Replaces the file at `path` by `content`: writes a new file beside it, flushes it to the disk and renames
 /// it, so that a reader sees the old content or the new one, never a part. Devices and pipes are written
 /// directly. Throws OutputError, and leaves the old file, when that fails.

@@ -48,7 +48,9 @@ void CsvSeries::add_line(const std::string& line) {
   if (written == static_cast<ssize_t>(line.size())) return;
   const int error = written < 0 ? errno : ENOSPC;
   const bool whole = written <= 0 || (before >= 0 && ::ftruncate(file_, before) == 0);
-  if (!whole) throw OutputError(fmt::format("{}: the last line is incomplete ({})", file_name_.string(), std::strerror(error)));
+  if (!whole)
+    throw OutputError(
+        fmt::format("{}: the last line is incomplete ({})", file_name_.string(), std::strerror(error)));
   throw_write_error(file_name_, error);
 }
 

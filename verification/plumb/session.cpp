@@ -42,6 +42,14 @@ std::string thread_count(const std::string& text) {
   return fmt::format("\"{}\" is not a whole number from 1 to {}", text, most_threads);
 }
 
+/// The result with what a reader needs to place it in front.
+nlohmann::ordered_json with_origin(const nlohmann::ordered_json& result, const std::string& command_line) {
+  nlohmann::ordered_json whole{
+      {"plumbline", version()}, {"command", command_line}, {"provenance", provenance()}};
+  whole.update(result);
+  return whole;
+}
+
 }  // namespace
 
 std::ostream& Session::text() const {
@@ -50,11 +58,15 @@ std::ostream& Session::text() const {
 }
 
 void Session::write_json(const nlohmann::ordered_json& result) const {
-  if (json.empty()) return;
-  nlohmann::ordered_json whole{
-      {"plumbline", version()}, {"command", command_line}, {"provenance", provenance()}};
-  whole.update(result);
-  write(json, json_text(whole));
+  if (!json.empty()) write(json, json_text(with_origin(result, command_line)));
+}
+
+void Session::write_json_file(const nlohmann::ordered_json& result, const std::filesystem::path& file) const {
+  replace_file(file, json_text(with_origin(result, command_line)));
+}
+
+void Session::warn(const std::string& text) const {
+  if (!quiet) std::cerr << "warning: " << text << '\n';
 }
 
 void Session::write_csv(const Table& table) const {

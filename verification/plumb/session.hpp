@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
@@ -33,6 +34,10 @@ struct Session {
   /// Writes `result` (an object) to --json, if asked for, with "plumbline", "command" and "provenance" put
   /// first and non-finite numbers as null with a status. Throws OutputError if that fails.
   void write_json(const nlohmann::ordered_json& result) const;
+  /// Writes the same, whether asked for or not, to a file that the subcommand chose.
+  void write_json_file(const nlohmann::ordered_json& result, const std::filesystem::path& file) const;
+  /// A warning on standard error, unless quiet.
+  void warn(const std::string& text) const;
   /// Writes the table to --csv, if asked for.
   void write_csv(const Table& table) const;
   /// Writes a JSON array of flat objects ("rows") to --csv, if asked for.

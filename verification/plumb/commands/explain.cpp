@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "plumb/commands.hpp"
+#include "plumb/run/inventory.hpp"
+#include "plumb/run/scene_options.hpp"
+#include "plumb/session.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Wall time of one step [s], measured on this machine: the mean over at least 0.1 s or `most` steps, after
+/// one step that warms up. Advances the simulation, which is thrown away. Null if it fails at once.
+template <int d>
+std::optional<double> seconds_per_step(Simulation<d>& simulation, double dt, long most) {
+  using Clock = std::chrono::steady_clock;
+  if (!simulation.stepper.step(simulation.solid, simulation.state, dt)) return std::nullopt;
+  const auto start = Clock::now();
+  for (long steps = 1;; ++steps) {
+    if (!simulation.stepper.step(simulation.solid, simulation.state, dt)) return std::nullopt;
+    time_step(simulation.solid, simulation.state, simulation.control);  // a part of every step of a run
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    if (elapsed > 0.1 || steps >= most) return elapsed / static_cast<double>(steps);
+  }
+}
+
+/// Steps to the end with a constant step; the run may differ if the body deforms.
+long steps_to_end(const StepControl& control, double dt) {
+  const double by_time = control.end_time ? std::ceil(*control.end_time / dt * (1 - 1e-12)) : 1e18;
+  const double by_count = control.max_steps ? static_cast<double>(*control.max_steps) : 1e18;
+  return static_cast<long>(std::min(by_time, by_count));
+}
+
+template <int d>
+Json explanation(const Scene& scene, Simulation<d>& simulation) {
+  const auto arrays = arrays_of(simulation);
+  const std::size_t bytes = total_bytes(arrays);
+  const Index particles = simulation.solid.cloud.size();
+  const double dt = time_step(simulation.solid, simulation.state, simulation.control);
+  const long steps = steps_to_end(simulation.control, dt);
+  const Parts parts = parts_of(scene, simulation);
+  Json sizes = Json::array();
+  for (const auto& array : arrays) sizes.push_back({{"name", array.name}, {"bytes", array.bytes}});
+  Json json{{"scene", scene.name},
+            {"dimension", d},
+            {"particles", particles},
+            {"neighbours",
+             {{"mean", static_cast<double>(simulation.solid.bonds.pairs) / static_cast<double>(particles)},
+              {"max", simulation.solid.bonds.most_neighbours}}},
+            {"built", parts.built},
+            {"left_out", parts.left_out},
+            {"arrays", sizes},
+            {"memory",
+             {{"bytes", bytes},
+              {"bytes_per_particle", static_cast<double>(bytes) / static_cast<double>(particles)}}},
+            {"dt", dt},
+            {"steps", steps},
+            {"evaluations_per_step", simulation.stepper.evaluations_per_step}};
+  const auto seconds = seconds_per_step(simulation, dt, steps);
+  json["estimated_wall_s"] = seconds ? Json(*seconds * static_cast<double>(steps)) : Json();
+  json["memory"]["peak_rss"] = peak_resident_bytes();
+  json["warnings"] = simulation.warnings;
+  return json;
+}
+
+/// "1.2 MB": bytes for people.
+std::string size_text(double bytes) {
+  const char* unit = "B";
+  for (const char* next : {"kB", "MB", "GB", "TB"}) {
+    if (bytes < 1000) break;
+    bytes /= 1000;
+    unit = next;
+  }
+  return fmt::format("{:.4g} {}", bytes, unit);
+}
+
+void tell(std::ostream& out, const Json& json, const Scene& scene) {
+  out << fmt::format("{}: {} particles in {}D, {:.1f} neighbours on average, at most {}\n", scene.name,
+                     json["particles"].get<long>(), scene.dimension, json["neighbours"]["mean"].get<double>(),
+                     json["neighbours"]["max"].get<long>());
+  for (const auto& [key, title] :
+       {std::pair("built", "built"), std::pair("left_out", "left out (no code, no array)")}) {
+    out << title << ":\n";
+    for (const auto& part : json[key]) out << "  " << part.get<std::string>() << '\n';
+  }
+  out << "arrays:\n";
+  for (const auto& array : json["arrays"])
+    out << fmt::format("  {:<34} {:>10}\n", array["name"].get<std::string>(),
+                       size_text(array["bytes"].get<double>()));
+  out << fmt::format("  {:<34} {:>10}, {:.4g} bytes a particle\n", "together",
+                     size_text(json["memory"]["bytes"].get<double>()),
+                     json["memory"]["bytes_per_particle"].get<double>());
+  out << fmt::format("time step {:.6g} s, {} steps with {} evaluation(s) each\n", json["dt"].get<double>(),
+                     json["steps"].get<long>(), json["evaluations_per_step"].get<int>());
+  out << (json["estimated_wall_s"].is_null()
+              ? std::string("the first steps fail: the run would end unstable at once\n")
+              : "estimated time " + duration_text(json["estimated_wall_s"].get<double>()) +
+                    ", from a few steps measured on this machine\n");
+}
+
+template <int d>
+int explain(const Session& session, const Scene& scene) {
+  Simulation<d> simulation = make_simulation<d>(scene);
+  const Json json = explanation(scene, simulation);
+  tell(session.text(), json, scene);
+  for (const auto& warning : simulation.warnings) session.warn(warning);
+  session.write_json(json);
+  return 0;
+}
+
+}  // namespace
+
+/// `plumb explain SCENE.toml`: reads and builds a scene as `run` does, and says what it would do.
+void add_explain(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<SceneOptions>();
+  const auto action = [&session, options] {
+    const Scene scene = scene_of(*options);
+    return with_dimension(scene, [&]<int d>() { return explain<d>(session, scene); });
+  };
+  CLI::App& command = add_command(program, session,
+                                  {"explain", "what a scene builds, costs and leaves out, without running it",
+                                   "plumb explain verification/scenes/bending_column.toml"},
+                                  {}, action);
+  add_scene_options(command, *options);
+}
+
+}  // namespace plumb

@@ -1,0 +1,66 @@
+#include "plumb/run/frame.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/material/catalogue.hpp"
+
+namespace plumb {
+namespace {
+
+template <int d>
+void put(std::vector<double>& values, Index particle, const Vec<d>& v) {
+  for (int k = 0; k < d; ++k) values[particle * d + k] = v[k];
+}
+
+double von_mises(const Mat<3>& sigma) {
+  const Mat<3> deviator = sigma - Mat<3>::Identity() * (sigma.trace() / 3);
+  return std::sqrt(1.5) * deviator.norm();
+}
+
+}  // namespace
+
+Mat<3> cauchy_stress(std::string_view material, const Elastic& elastic, const Mat<3>& F) {
+  Mat<3> sigma = Mat<3>::Zero();
+  with_named(MaterialCatalogue{}, material, [&]<class M>(Type<M>) {
+    sigma = M(elastic).first_piola(F) * F.transpose() / determinant<3, double>(F);
+  });
+  return sigma;
+}
+
+template <int d>
+Frame<d>::Frame(const Solid<d>& solid, const State<d>& state, const MaterialChoice& material)
+    : time_(state.time) {
+  const Index count = solid.cloud.size();
+  for (auto* vectors : {&position_, &displacement_, &velocity_}) vectors->resize(count * d);
+  for (auto* scalars : {&determinant_, &pressure_, &von_mises_}) scalars->resize(count);
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < count; ++i) {
+    const Index slot = solid.bonds.slots.of(i);
+    put<d>(position_, i, position_of(solid, state, i));
+    put<d>(displacement_, i, vector_at<d>(state.u, slot));
+    put<d>(velocity_, i, vector_at<d>(state.v, slot));
+    Mat<3> F = Mat<3>::Identity();
+    F.template topLeftCorner<d, d>() = deformation_gradient_of(solid, state, i);
+    const Mat<3> sigma = cauchy_stress(material.model, solid.elastic, F);
+    determinant_[i] = determinant<3, double>(F);
+    pressure_[i] = -sigma.trace() / 3;
+    von_mises_[i] = von_mises(sigma);
+  }
+}
+
+template <int d>
+void Frame<d>::write(ParticleSeries& series) const {
+  const std::array<PointField, 5> fields{{{"displacement [m]", d, displacement_},
+                                          {"velocity [m/s]", d, velocity_},
+                                          {"J", 1, determinant_},
+                                          {"pressure [Pa]", 1, pressure_},
+                                          {"von Mises stress [Pa]", 1, von_mises_}}};
+  series.write({time_, d, position_, fields});
+}
+
+template class Frame<2>;
+template class Frame<3>;
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include "plumbline/output/particles.hpp"
+#include "plumbline/scene/scene.hpp"
+#include "plumbline/solid/solid.hpp"
+
+namespace plumb {
+
+/// What the particle files show of one state: positions, displacement, velocity, and from the deformation
+/// gradient J, the pressure -tr(sigma)/3 and the von Mises stress of the Cauchy stress sigma = P F^T / J. In
+/// 2D the strain is plane and sigma_33 counts.
+template <int d>
+class Frame {
+ public:
+  Frame(const Solid<d>& solid, const State<d>& state, const MaterialChoice& material);
+
+  /// Writes it as the next file of the series.
+  void write(ParticleSeries& series) const;
+
+ private:
+  double time_;
+  std::vector<double> position_, displacement_, velocity_, determinant_, pressure_, von_mises_;
+};
+
+/// Cauchy stress [Pa] of the material of that name at the three-dimensional F.
+Mat<3> cauchy_stress(std::string_view material, const Elastic& elastic, const Mat<3>& F);
+
+}  // namespace plumb

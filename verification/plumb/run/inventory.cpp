@@ -1,0 +1,61 @@
+#include "plumb/run/inventory.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace plumb {
+
+std::size_t total_bytes(const std::vector<ArrayEntry>& arrays) {
+  std::size_t sum = 0;
+  for (const auto& entry : arrays) sum += entry.bytes;
+  return sum;
+}
+
+template <int d>
+Parts parts_of(const Scene& scene, const Simulation<d>& simulation) {
+  Parts parts;
+  const auto add = [&parts](bool built, std::string name) {
+    (built ? parts.built : parts.left_out).push_back(std::move(name));
+  };
+  // What counts is what is there, not what was asked for.
+  const auto has_term = [&](std::string_view name) {
+    return std::any_of(simulation.solid.terms.begin(), simulation.solid.terms.end(),
+                       [&](const Term<d>& term) { return term.name == name; });
+  };
+  const Output output = scene.output.value_or(Output{});
+  add(true, "material " + scene.material.model);
+  add(true, "bond constants: kernel " + scene.method.kernel + ", correction " + scene.method.pair +
+                ", gradient " + scene.method.gradient + ", momentum " + scene.method.momentum);
+  add(true, "integrator " + std::string(simulation.stepper.name));
+  add(has_term("jst"), "jst");
+  add(has_term("hourglass"), "hourglass");
+  add(scene.initial.has_value(), "initial");
+  add(has_term("supports"), "boundary");
+  add(simulation.solid.F.components() > 0, "stored deformation gradient");
+  add(simulation.solid.stored_force.components() > 0, "stored force");
+  add(output.series, "series");
+  add(output.vtk, "vtk");
+  add(!output.probes.empty(), "probe");
+  return parts;
+}
+
+std::size_t peak_resident_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+std::size_t available_bytes() {
+  std::ifstream file("/proc/meminfo");
+  std::string key, unit;
+  for (std::size_t kib = 0; file >> key >> kib && std::getline(file, unit);)
+    if (key == "MemAvailable:") return kib * 1024;
+  return 0;
+}
+
+template Parts parts_of<2>(const Scene&, const Simulation<2>&);
+template Parts parts_of<3>(const Scene&, const Simulation<3>&);
+
+}  // namespace plumb

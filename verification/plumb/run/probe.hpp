@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plumbline/scene/scene.hpp"
+#include "plumbline/solid/solid.hpp"
+
+namespace plumb {
+
+/// A probe of the scene, bound to the particle nearest to its reference point (the first one of equals).
+struct BoundProbe {
+  std::string name;
+  Index particle;
+  double distance;  ///< from the reference point to that particle [m]
+};
+
+template <int d>
+std::vector<BoundProbe> bind_probes(const std::vector<Probe>& probes, const Cloud<d>& cloud);
+
+}  // namespace plumb

@@ -1,0 +1,106 @@
+#include "plumb/run/recorder.hpp"
+
+#include <cmath>
+
+#include "plumb/run/frame.hpp"
+#include "plumbline/diagnostics/measures.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr const char* axes = "xyz";
+
+template <int d>
+void add_columns(std::vector<std::string>& columns, const std::string& name, const std::string& unit) {
+  for (int k = 0; k < d; ++k) columns.push_back(name + " " + axes[k] + " [" + unit + "]");
+}
+
+template <int d>
+void add_values(std::vector<double>& row, const Vec<d>& v) {
+  row.insert(row.end(), v.data(), v.data() + d);
+}
+
+}  // namespace
+
+template <int d>
+Recorder<d>::Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid)
+    : output_(scene.output.value_or(Output{})),
+      material_(scene.material),
+      folder_(std::move(folder)),
+      probes_(bind_probes<d>(output_.probes, solid.cloud)) {
+  if (output_.vtk || output_.series) std::filesystem::create_directories(folder_);
+  if (output_.series) series_ = std::make_unique<CsvSeries>(folder_ / "series.csv", columns());
+  if (output_.vtk) particles_.emplace(folder_, "particles");
+}
+
+template <int d>
+std::vector<std::string> Recorder<d>::columns() const {
+  const std::string per_thickness = d == 2 ? "/m" : "";
+  std::vector<std::string> names{"step", "time [s]"};
+  for (const char* energy : {"kinetic energy", "strain energy", "total energy"})
+    names.push_back(std::string(energy) + " [J" + per_thickness + "]");
+  add_columns<d>(names, "linear momentum", d == 2 ? "kg/s" : "kg m/s");
+  const std::string unit = d == 2 ? " [kg m/s]" : " [kg m^2/s]";
+  for (int k = d == 2 ? 2 : 0; k < 3; ++k) names.push_back(std::string("angular momentum ") + axes[k] + unit);
+  names.push_back("hourglass share");
+  for (const auto& probe : probes_) {
+    add_columns<d>(names, probe.name + " position", "m");
+    add_columns<d>(names, probe.name + " displacement", "m");
+    add_columns<d>(names, probe.name + " velocity", "m/s");
+  }
+  return names;
+}
+
+template <int d>
+void Recorder<d>::observe(const Solid<d>& solid, const State<d>& state) {
+  if (!series_ && !particles_) return;
+  const bool first = recorded_ < 0;
+  // 1e-12: a step that ends on the multiple but for rounding counts
+  const bool due = output_.every && state.time >= static_cast<double>(next_) * *output_.every * (1 - 1e-12);
+  if (!first && !due) return;
+  if (output_.every) next_ = static_cast<long>(std::floor(state.time / *output_.every * (1 + 1e-12))) + 1;
+  record(solid, state);
+}
+
+template <int d>
+void Recorder<d>::finish(const Solid<d>& solid, const State<d>& state) {
+  if (state.step != recorded_) record(solid, state);
+}
+
+template <int d>
+void Recorder<d>::record(const Solid<d>& solid, const State<d>& state) {
+  if (series_) record_series(solid, state);
+  if (particles_) Frame<d>(solid, state, material_).write(*particles_);
+  recorded_ = state.step;
+}
+
+template <int d>
+void Recorder<d>::record_series(const Solid<d>& solid, const State<d>& state) {
+  const Energy energy = energy_of(solid, state);
+  const Momentum momentum = momentum_of(solid, state);
+  std::vector<double> row{static_cast<double>(state.step), state.time, energy.kinetic, energy.strain,
+                          energy.total()};
+  row.insert(row.end(), momentum.linear.begin(), momentum.linear.begin() + d);
+  row.insert(row.end(), momentum.angular.begin() + (d == 2 ? 2 : 0), momentum.angular.end());
+  row.push_back(hourglass_share(solid, state));
+  for (const auto& probe : probes_) {
+    const Index slot = solid.bonds.slots.of(probe.particle);
+    add_values<d>(row, position_of(solid, state, probe.particle));
+    add_values<d>(row, vector_at<d>(state.u, slot));
+    add_values<d>(row, vector_at<d>(state.v, slot));
+  }
+  series_->append(row);
+}
+
+template <int d>
+std::vector<std::filesystem::path> Recorder<d>::files() const {
+  std::vector<std::filesystem::path> names;
+  if (series_) names.push_back(folder_ / "series.csv");
+  if (particles_) names.push_back(particles_->index_file());
+  return names;
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace plumb

@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "plumb/run/probe.hpp"
+#include "plumbline/output/particles.hpp"
+#include "plumbline/output/series.hpp"
+
+namespace plumb {
+
+/// Writes what the scene's [output] asks for while a run goes on: FOLDER/series.csv and FOLDER/particles.pvd.
+/// A state is recorded at the first step at or after each multiple of `every`; time steps are not bent to it.
+/// The first and the last state are always recorded. What has been written stays, whatever happens to the
+/// run.
+template <int d>
+class Recorder {
+ public:
+  /// Makes the folder if something is to be written; nothing else yet.
+  Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid);
+
+  /// Records the state if its time has come. For the run's observer.
+  void observe(const Solid<d>& solid, const State<d>& state);
+  /// Records the last state of a run unless that has been done.
+  void finish(const Solid<d>& solid, const State<d>& state);
+
+  const std::vector<BoundProbe>& probes() const { return probes_; }
+  std::vector<std::filesystem::path> files() const;
+
+ private:
+  void record(const Solid<d>& solid, const State<d>& state);
+  void record_series(const Solid<d>& solid, const State<d>& state);
+  std::vector<std::string> columns() const;
+
+  Output output_;
+  MaterialChoice material_;
+  std::filesystem::path folder_;
+  std::vector<BoundProbe> probes_;
+  std::unique_ptr<CsvSeries> series_;
+  std::optional<ParticleSeries> particles_;
+  long next_ = 0;       ///< number of the next multiple of `every`
+  long recorded_ = -1;  ///< step of the last state recorded
+};
+
+}  // namespace plumb

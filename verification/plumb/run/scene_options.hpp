@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plumbline/scene/scene.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace plumb {
+
+/// What every subcommand that reads a scene takes.
+struct SceneOptions {
+  std::string file;
+  std::vector<std::string> overrides;  ///< --set section.key=value
+};
+
+/// Adds SCENE.toml and --set to a subcommand.
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// Reads the scene and refuses one that needs more memory than the machine has, before any of it is taken.
+/// Throws InputError.
+Scene scene_of(const SceneOptions& options);
+
+/// f.template operator()<d>() for the dimension d of the scene: the one place that chooses it.
+template <class F>
+int with_dimension(const Scene& scene, F&& f) {
+  return scene.dimension == 2 ? f.template operator()<2>() : f.template operator()<3>();
+}
+
+}  // namespace plumb
