@@ -126,7 +126,7 @@ void add_explain(CLI::App& program, Session& session) {
   };
   CLI::App& command = add_command(program, session,
                                   {"explain", "what a scene builds, costs and leaves out, without running it",
-                                   "plumb explain verification/scenes/bending_column.toml"},
+                                   "plumb explain verification/scenes/bending-column.toml"},
                                   {}, action);
   add_scene_options(command, *options);
 }

@@ -105,7 +105,7 @@ void add_run(CLI::App& program, Session& session) {
   };
   CLI::App& command = add_command(
       program, session,
-      {"run", "run a scene", "plumb run verification/scenes/swinging_plate.toml --set body.spacing=0.1"}, {},
+      {"run", "run a scene", "plumb run verification/scenes/swinging-plate.toml --set body.spacing=0.1"}, {},
       action);
   add_scene_options(command, options->scene);
   command
