@@ -10,6 +10,27 @@ void see(const Cloud<1>& cloud, Window window, double x, std::vector<Neighbour<1
     neighbourhood.push_back({Vec<1>(cloud.X[j][0] - x), cloud.V[j]});
 }
 
+Form form_named(std::string_view name) {
+  if (name == "printed") return Form::printed;
+  if (name == "difference") return Form::difference;
+  throw unknown_name("form", name, {"printed", "difference"});
+}
+
+namespace {
+
+/// Sum of the part of the stencil c that comes from kernel gradients: what the printed form multiplies x_i
+/// with. The estimators are linear in the gradients, so that part is c less the stencil without gradients.
+double gradient_sum(StencilFunction<1> stencil, Neighbourhood<1> neighbourhood, CorrectedKernel<1>& corrected,
+                    const std::vector<Vec<1>>& c) {
+  for (auto& gradient : corrected.gradient) gradient.setZero();
+  const auto bonds = stencil(neighbourhood, corrected);
+  double sum = 0;
+  for (std::size_t k = 0; k < c.size(); ++k) sum += c[k][0] - bonds[k][0];
+  return sum;
+}
+
+}  // namespace
+
 std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kernel, double R,
                              const Method& method, const std::vector<double>& values) {
   if (values.size() != cloud.X.size())
@@ -22,10 +43,13 @@ std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kerne
   std::vector<double> F(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     see(cloud, supports[i], cloud.X[i][0], neighbourhood);
-    const auto c = stencil(neighbourhood, correct<1>(method.pair, kernel, h, neighbourhood));
+    CorrectedKernel<1> corrected = correct<1>(method.pair, kernel, h, neighbourhood);
+    const auto c = stencil(neighbourhood, corrected);
     double sum = 0;
     for (std::size_t k = 0; k < c.size(); ++k)
       sum += (values[static_cast<std::size_t>(supports[i].first) + k] - values[i]) * c[k][0];
+    if (method.pair == Pair::none && method.form == Form::printed)
+      sum += values[i] * gradient_sum(stencil, neighbourhood, corrected, c);
     F[i] = sum;
   }
   return F;

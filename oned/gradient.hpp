@@ -9,19 +9,28 @@
 
 namespace plumb::oned {
 
+/// How the sum of (33) is formed. Both are the same wherever the gradients of a particle sum to zero (9a), as
+/// they do for every corrected pair: those always use the difference form, which loses no digits. For the
+/// pair `none` they are two estimators.
+enum class Form {
+  printed,    ///< sum_j V_j grad W_ij x_j, as (33) is printed: diverges at a boundary
+  difference  ///< sum_j V_j grad W_ij (x_j - x_i): exact for constants everywhere
+};
+Form form_named(std::string_view name);
+
 /// A way to estimate a gradient: estimator (standard, bond, improved, ..) and corrected kernel pair.
 struct Method {
   std::string estimator = "improved";
   Pair pair = Pair::W1;
+  Form form = Form::printed;  ///< matters for the pair `none` only
 };
 
 /// All particles of a window as seen from x, into `neighbourhood` (cleared first).
 void see(const Cloud<1>& cloud, Window window, double x, std::vector<Neighbour<1>>& neighbourhood);
 
-/// dx/dX at every particle from the values at the particles, in difference form:
-/// F_i = sum_j (x_j - x_i) c_ij, with c from the correction and estimator catalogues of lib/gradient.
-/// `values` has one entry per particle. Time and memory: linear in particles times neighbours, and in
-/// particles. InputError as windows() and estimator_named().
+/// dx/dX at every particle from the values at the particles: F_i = sum_j (x_j - x_i) c_ij, with c from the
+/// correction and estimator catalogues of lib/gradient. `values` has one entry per particle. Time and memory:
+/// linear in particles times neighbours, and in particles. InputError as windows() and estimator_named().
 std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kernel, double R,
                              const Method& method, const std::vector<double>& values);
 

@@ -53,7 +53,8 @@ std::vector<oned::Method> OnedOptions::methods() const {
   std::vector<oned::Method> result;
   for (const auto& estimator : once(estimators)) {
     estimator_named<1>(estimator);
-    for (const auto& pair : once(pairs)) result.push_back({estimator, pair_named(pair)});
+    for (const auto& pair : once(pairs))
+      result.push_back({estimator, pair_named(pair), oned::form_named(form)});
   }
   return result;
 }
@@ -105,15 +106,16 @@ void add_method_options(CLI::App& command, OnedOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
+  command
+      .add_option("--form", options.form,
+                  "pair none only: printed, sum V grad W x_j as in (33), or difference, with x_j - x_i")
+      ->capture_default_str();
 }
 
 nlohmann::ordered_json parameters_of(const OnedOptions& options) {
   const oned::Discretisation d = options.discretisation();
-  nlohmann::ordered_json result{{"length", d.length},
-                                {"layout", options.layout},
-                                {"jitter", d.jitter},
-                                {"seed", d.seed},
-                                {"kernel", d.kernel}};
+  nlohmann::ordered_json result{{"length", d.length}, {"layout", options.layout}, {"jitter", d.jitter},
+                                {"seed", d.seed},     {"kernel", d.kernel},       {"form", options.form}};
   result[d.radius.fixed ? "radius" : "radius_over_dx"] = d.radius.value;
   return result;
 }

@@ -16,7 +16,7 @@ namespace plumb {
 struct OnedOptions {
   double length = 5;
   std::vector<Index> n;
-  std::string layout = "cell";
+  std::string layout = "cell", form = "printed";
   double jitter = 0;
   std::uint64_t seed = 1;
   std::string kernel = "cubic";

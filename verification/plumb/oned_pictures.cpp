@@ -94,14 +94,11 @@ reports::Picture study_picture(const oned::Study& study) {
     series.x.push_back(row.dx);
     series.y.push_back(row.norms.rmse);
   }
-  for (const auto& fit : study.fits) {
+  for (const auto& fit : study.fits) {  // one triangle, or they would cover each other
     if (fit.norm != "rmse" || fit.trend != Trend::asymptotic) continue;
-    const double order =
-        std::round(2 * fit.fit.order) / 2;  // one triangle per order, at the first of its series
-    const bool drawn = std::any_of(picture.triangles.begin(), picture.triangles.end(),
-                                   [&](const reports::SlopeTriangle& t) { return t.order == order; });
+    const double order = std::round(2 * fit.fit.order) / 2;
     const std::string label = label_of(fit, several);
-    for (std::size_t k = 0; k < picture.series.size() && !drawn && order != 0; ++k)
+    for (std::size_t k = 0; k < picture.series.size() && picture.triangles.empty() && order > 0; ++k)
       if (picture.series[k].label == label) picture.triangles.push_back({order, k});
   }
   return picture;

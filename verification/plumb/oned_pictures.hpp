@@ -14,7 +14,7 @@ reports::Picture kernel_picture(const oned::KernelView& view, bool gradients);
 /// Exact derivative and estimates over X, or their errors.
 reports::Picture gradient_picture(const std::vector<oned::GradientRow>& rows, bool errors);
 
-/// RMSE over dx, with slope triangles where a fit is asymptotic.
+/// RMSE over dx, with a slope triangle where a fit is asymptotic.
 reports::Picture study_picture(const oned::Study& study);
 
 /// Response over theta, with the exact line.

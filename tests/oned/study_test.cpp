@@ -1,0 +1,132 @@
+#include "oned/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "oned/account.hpp"
+#include "oned/figures.hpp"
+#include "plumbline/core/error.hpp"
+
+namespace {
+
+using namespace plumb;
+using namespace plumb::oned;
+
+TEST(Study, PublishedTableOfTheCubicField) {
+  // method.md and issue 2: RMSE to four digits
+  const Study study = refine({}, {20, 40, 80, 160}, {parse_field("poly:1,0,0,1")}, {{"improved", Pair::W1}});
+  const double expected[] = {1.130, 0.4093, 0.1464, 0.05208};
+  const double half_unit[] = {5e-4, 5e-5, 5e-5, 5e-6};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(study.rows[k].norms.rmse, expected[k], half_unit[k]);
+}
+
+TEST(Study, NormsOfAKnownError) {
+  Discretisation d;
+  d.length = 10;
+  d.n = 10;
+  d.radius.value = 1.5;  // interior: 3 <= X <= 7, the particles 3.5, 4.5, 5.5, 6.5
+  const ErrorNorms norms = error_norms(make_cloud(d), d.support(), {5, 0, 0, 1, -3, 0, 0, 0, 0, 1});
+  EXPECT_DOUBLE_EQ(norms.rmse, std::sqrt(36.0 / 10));
+  EXPECT_EQ(norms.max, 5);
+  EXPECT_DOUBLE_EQ(*norms.interior_rmse, std::sqrt(10.0 / 4));
+  EXPECT_EQ(*norms.interior_max, 3);
+  EXPECT_EQ(*norms.boundary_max, 5);
+}
+
+TEST(Study, InteriorIncludesItsEndsWhateverTheRounding) {
+  Discretisation d;  // node layout: 2R = 6 dx is a particle; 0.3 has no exact spacing
+  d.length = 0.3;
+  d.layout = Layout::node;
+  d.radius.value = 3;
+  std::vector<double> error(41, 0.0);
+  error[6] = 1;
+  error[34] = 2;
+  EXPECT_EQ(*error_norms(make_cloud(d), d.support(), error).interior_max, 2);
+  EXPECT_EQ(*error_norms(make_cloud(d), d.support(), error).boundary_max, 0);
+}
+
+TEST(Study, ShortBodyHasNoInterior) {
+  const Study study = refine({}, {12, 40}, {parse_field("sin:1")}, {{"standard", Pair::W1}});
+  EXPECT_FALSE(study.rows[0].norms.interior_rmse.has_value());  // 4R = 16 dx > L
+  EXPECT_TRUE(study.rows[1].norms.interior_rmse.has_value());
+}
+
+Trend trend_of(const Study& study, const std::string& norm) {
+  return std::find_if(study.fits.begin(), study.fits.end(), [&](const StudyFit& f) { return f.norm == norm; })
+      ->trend;
+}
+
+TEST(Study, TrendsSayWhatTheErrorsDo) {
+  const std::vector<Index> cells = {40, 80, 160, 320, 640};
+  const Field cubic = parse_field("poly:1,0,0,1");
+  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"improved", Pair::W1}}), "rmse"), Trend::asymptotic);
+  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"bond", Pair::W1}}), "rmse"), Trend::stalled);
+  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"standard", Pair::none}}), "rmse"), Trend::divergent);
+  EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:1,1")}, {{"improved", Pair::W1}}), "rmse"),
+            Trend::noise_floor);
+  EXPECT_EQ(trend_of(refine({}, {40, 80}, {cubic}, {{"improved", Pair::W1}}), "rmse"), Trend::not_asymptotic);
+  EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:2")}, {{"improved", Pair::W1}}), "rmse"),
+            Trend::noise_floor);
+}
+
+TEST(Study, RefusesBeforeComputing) {
+  const Field field = parse_field("sin:1");
+  EXPECT_THROW(refine({}, {}, {field}, {{}}), InputError);
+  EXPECT_THROW(refine({}, {20, 20}, {field}, {{}}), InputError);
+  EXPECT_THROW(refine({}, {20, 1}, {field}, {{}}), InputError);
+  Discretisation fixed;
+  fixed.radius = {0.2, true};
+  EXPECT_THROW(refine(fixed, {80, 20}, {field}, {{}}), InputError);  // dx = 0.25 at n = 20
+  Discretisation d;
+  d.kernel = "cubik";
+  EXPECT_THROW(refine(d, {20}, {field}, {{}}), InputError);
+}
+
+TEST(Figures, AreCompleteAndFinite) {
+  std::vector<Chart> charts = figure_2();
+  for (const auto& more : {figure_4(), figure_5(), std::vector<Chart>{response_chart()}})
+    charts.insert(charts.end(), more.begin(), more.end());
+  ASSERT_EQ(charts.size(), 4u + 2 + 4 + 1);
+  std::vector<std::string> names;
+  for (const Chart& chart : charts) {
+    names.push_back(chart.name);
+    EXPECT_FALSE(chart.title.empty() || chart.x_label.empty() || chart.y_label.empty());
+    for (const Curve& curve : chart.curves) {
+      ASSERT_EQ(curve.x.size(), curve.y.size()) << chart.name;
+      EXPECT_GT(curve.x.size(), 20u) << chart.name;
+      for (const double y : curve.y) EXPECT_TRUE(std::isfinite(y)) << chart.name;
+    }
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(Figures, Figure2ShowsThePropertiesThatThePaperNames) {
+  const auto charts = figure_2();
+  const auto& inside = charts[0].curves;  // far from the boundary the three kernels overlap
+  for (std::size_t j = 0; j < inside[0].y.size(); ++j) {
+    EXPECT_NEAR(inside[1].y[j], inside[0].y[j], 1e-6);  // the lattice sum differs from 1 by 1e-8
+    EXPECT_NEAR(inside[2].y[j], inside[0].y[j], 1e-6);
+  }
+  const auto& wall = charts[2].curves[2].y;  // W1 at x = 0 changes sign and peaks higher than the others
+  EXPECT_LT(*std::min_element(wall.begin(), wall.end()), 0);
+  EXPECT_GT(wall[0], charts[2].curves[1].y[0]);
+}
+
+TEST(Account, SentencesOfSection41) {
+  std::vector<std::pair<std::string, Holds>> found;
+  for (const Sentence& s : account()) {
+    found.emplace_back(s.where, s.holds);
+    EXPECT_FALSE(s.finding.empty() || s.measured.empty()) << s.claim;
+    for (const auto& [name, number] : s.measured) EXPECT_TRUE(std::isfinite(number)) << name;
+  }
+  const std::vector<std::pair<std::string, Holds>> expected = {
+      {"2.2, Figure 2", Holds::no},      {"2.2, after (14)", Holds::no},    {"4.1, Figure 4", Holds::yes},
+      {"4.1, Figure 4", Holds::yes},     {"4.1, Figure 5", Holds::yes},     {"4.1, Figure 5", Holds::partly},
+      {"4.1, Figure 6a", Holds::partly}, {"4.1, Figure 6b", Holds::partly}, {"4.1", Holds::no},
+      {"4.1, Figure 6", Holds::partly},  {"4.1, Figure 6", Holds::no},      {"4.1, Figure 6", Holds::partly}};
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace

@@ -1,0 +1,154 @@
+// Orders of the 1D gradient estimates against mathematics (method.md, section 1). Every study prints its
+// errors beside the CPU time that they cost.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "oned/study.hpp"
+
+namespace {
+
+using namespace plumb;
+using namespace plumb::oned;
+
+const Field cubic = parse_field("poly:1,0,0,1");
+const Field sine = parse_field("sin:5");
+const Method standard{"standard", Pair::W1}, improved{"improved", Pair::W1}, bond{"bond", Pair::W1};
+
+Study printed(const char* title, Study study) {
+  fmt::print("{}\n{:>6} {:>13} {:>9} {:>6} {:>11} {:>11} {:>11} {:>11}\n", title, "n", "field", "estimator",
+             "pair", "rmse", "interior", "boundary", "cpu [s]");
+  for (const StudyRow& r : study.rows)
+    fmt::print("{:>6} {:>13} {:>9} {:>6} {:>11.4e} {:>11.4e} {:>11.4e} {:>11.2e}\n", r.n, r.field,
+               r.estimator, name_of(r.pair), r.norms.rmse, r.norms.interior_max.value_or(NAN),
+               r.norms.boundary_max.value_or(NAN), r.cpu_s);
+  for (const StudyFit& f : study.fits)
+    if (f.norm == "rmse" || f.norm == "interior_max" || f.norm == "boundary_max")
+      fmt::print("  {} {} {} {}: order {:.4f} [{:.4f}, {:.4f}], {}\n", f.field, f.estimator, name_of(f.pair),
+                 f.norm, f.fit.order, f.fit.lower, f.fit.upper, name_of(f.trend));
+  return study;
+}
+
+const StudyFit& fit(const Study& study, const Field& field, const Method& method, const std::string& norm) {
+  const auto found = std::find_if(study.fits.begin(), study.fits.end(), [&](const StudyFit& f) {
+    return f.field == field.text && f.estimator == method.estimator && f.pair == method.pair &&
+           f.norm == norm;
+  });
+  REQUIRE(found != study.fits.end());
+  return *found;
+}
+
+/// The declared order is met (two-sided, judged by lib/convergence) and lies within the fitted interval or
+/// 0.02 of its ends: the interval is that of the scatter and can be narrower than the next term of the error.
+void require_order(const StudyFit& f, double declared) {
+  INFO(f.field << " " << f.estimator << " " << f.norm << " order " << f.fit.order);
+  CHECK(judge(f.fit, declared) == Verdict::pass);
+  CHECK(f.fit.lower - 0.02 <= declared);
+  CHECK(f.fit.upper + 0.02 >= declared);
+  CHECK(f.trend == Trend::asymptotic);
+}
+
+double rmse(const Study& study, const Field& field, const Method& method, Index n) {
+  const auto found = std::find_if(study.rows.begin(), study.rows.end(), [&](const StudyRow& r) {
+    return r.field == field.text && r.estimator == method.estimator && r.pair == method.pair && r.n == n;
+  });
+  REQUIRE(found != study.rows.end());
+  return found->norms.rmse;
+}
+
+const std::vector<Index> doublings = {160, 320, 640, 1280, 2560, 5120};
+
+}  // namespace
+
+TEST_CASE("1D, R/dx fixed: order 2 inside, 1 at the boundary, 1.5 in the mean square") {
+  const Study study = printed("R = 4 dx", refine({}, doublings, {cubic, parse_field("exp:0.7")},
+                                                 {standard, improved, {"improved", Pair::W0}}));
+  for (const StudyFit& f : study.fits) {
+    if (f.norm == "interior_max" || f.norm == "interior_rmse") require_order(f, 2);
+    if (f.norm == "boundary_max" || f.norm == "max") require_order(f, 1);
+    if (f.norm == "rmse") require_order(f, 1.5);
+  }
+}
+
+TEST_CASE("1D, R/dx fixed: every kernel, layout and radius keeps the orders") {
+  for (const char* kernel : {"cubic", "quintic", "wendland-c2", "quadratic"})
+    for (const Layout layout : {Layout::cell, Layout::node})
+      for (const double radius : {1.8, 3.0, 4.5}) {
+        Discretisation d;
+        d.kernel = kernel;
+        d.layout = layout;
+        d.radius.value = radius;
+        const Study study = refine(d, doublings, {cubic}, {standard, improved});
+        for (const Method& method : {standard, improved}) {
+          INFO(kernel << " R/dx " << radius << (layout == Layout::node ? " node" : " cell"));
+          require_order(fit(study, cubic, method, "interior_max"), 2);
+          require_order(fit(study, cubic, method, "boundary_max"), 1);
+          require_order(fit(study, cubic, method, "rmse"), 1.5);
+        }
+      }
+}
+
+TEST_CASE("1D, sin(5X): looks like order 2 until N is large") {
+  const Study study =
+      printed("R = 4 dx", refine({}, {40, 80, 160, 320, 640, 1280}, {sine}, {standard, improved}));
+  for (const Method& method : {standard, improved}) CHECK(fit(study, sine, method, "rmse").fit.order > 1.85);
+  const Study later =
+      printed("R = 4 dx", refine({}, {20480, 40960, 81920, 163840, 327680}, {sine}, {standard, improved}));
+  for (const Method& method : {standard, improved}) require_order(fit(later, sine, method, "rmse"), 1.5);
+}
+
+TEST_CASE("1D, R fixed: the standard estimate stalls, the improved one falls far below it") {
+  Discretisation d;
+  d.radius = {0.5, true};
+  const Study study = printed(
+      "R = 0.5 m", refine(d, {40, 80, 160, 320, 640, 1280, 2560}, {cubic, sine}, {standard, improved}));
+  for (const Field& field : {cubic, sine}) CHECK(fit(study, field, standard, "rmse").trend == Trend::stalled);
+  // method.md: 21 for X^3 + 1 and 3 for sin(5X), read at N = 2560
+  CHECK(rmse(study, cubic, standard, 2560) / rmse(study, cubic, improved, 2560) == Approx(21).margin(0.5));
+  CHECK(rmse(study, sine, standard, 2560) / rmse(study, sine, improved, 2560) == Approx(3).margin(0.2));
+}
+
+TEST_CASE("1D, uncorrected kernels diverge as N^1/2 in the printed form") {
+  // the boundary error is x(L) V grad W / h ~ 1/dx in some particles of N: RMSE ~ dx^-1/2
+  const Study study =
+      printed("R = 4 dx, no correction", refine({}, doublings, {cubic}, {{"standard", Pair::none}}));
+  const StudyFit& f = fit(study, cubic, {"standard", Pair::none}, "rmse");
+  CHECK(f.trend == Trend::divergent);
+  CHECK(f.fit.order == Approx(-0.5).margin(0.02));
+  // in difference form the error at the boundary is of size 1 in some particles of N
+  const Method difference{"standard", Pair::none, Form::difference};
+  const Study other = printed("difference form", refine({}, doublings, {cubic}, {difference}));
+  CHECK(fit(other, cubic, difference, "rmse").fit.order == Approx(0.5).margin(0.02));
+}
+
+TEST_CASE("1D, the plain bond estimate does not converge") {
+  for (const Pair pair : {Pair::W0, Pair::W1}) {
+    const Method method{"bond", pair};
+    const Study study = printed("R = 4 dx", refine({}, doublings, {cubic, sine}, {method}));
+    for (const Field& field : {cubic, sine})
+      for (const char* norm : {"rmse", "max", "interior_rmse"})
+        CHECK(fit(study, field, method, norm).trend == Trend::stalled);
+  }
+}
+
+TEST_CASE(
+    "1D, jittered particles: exact for linear fields, order 1, the improved estimate is several times "
+    "better") {
+  Discretisation d;
+  d.jitter = 0.2;
+  const Field linear = parse_field("poly:1,1");
+  const Study exact = refine(d, {40, 640}, {linear}, {standard, improved});
+  for (const StudyRow& row : exact.rows) CHECK(row.norms.max < 1e-10);  // eps |x| / dx = 2e-13 times the sum
+
+  const Study study = printed("R = 4 dx, jitter 0.2", refine(d, doublings, {sine}, {standard, improved}));
+  for (const Method& method : {standard, improved}) {
+    const StudyFit& f = fit(study, sine, method, "interior_rmse");
+    CHECK(f.fit.order == Approx(1).margin(0.2));
+  }
+  const double gain = *study.rows[5].norms.interior_rmse / *study.rows[11].norms.interior_rmse;
+  fmt::print("standard over improved inside, N = 5120: {:.2f}\n", gain);
+  CHECK(gain > 3);
+  CHECK(gain < 5);
+}
