@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "oned/explorer.hpp"
-#include "oned/figures.hpp"
 
 namespace plumb::oned {
 namespace {
@@ -210,11 +209,16 @@ std::string_view name_of(Holds holds) {
   return "holds under a condition";
 }
 
-std::vector<Sentence> account() {
-  return account(figure_6_study(Reading::fixed_ratio), figure_6_study(Reading::fixed_radius));
+Study figure_6_study(Reading reading) {
+  Discretisation d;
+  if (reading == Reading::fixed_radius) d.radius = {0.5, true};
+  return refine(d, {40, 80, 160, 320, 640, 1280, 2560, 5120}, {parse_field(cubic), parse_field(sine)},
+                {standard, improved, improved_W0});
 }
 
-std::vector<Sentence> account(const Study& fixed_ratio, const Study& fixed_radius) {
+std::vector<Sentence> account() {
+  const Study fixed_ratio = figure_6_study(Reading::fixed_ratio);
+  const Study fixed_radius = figure_6_study(Reading::fixed_radius);
   std::vector<Sentence> all;
   section_2_2(all);
   linear_field(all);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "oned/account.hpp"
-#include "oned/figures.hpp"
+#include "oned/explorer.hpp"
 #include "plumbline/core/error.hpp"
 
 namespace {
@@ -83,35 +83,18 @@ TEST(Study, RefusesBeforeComputing) {
   EXPECT_THROW(refine(d, {20}, {field}, {{}}), InputError);
 }
 
-TEST(Figures, AreCompleteAndFinite) {
-  std::vector<Chart> charts = figure_2();
-  for (const auto& more : {figure_4(), figure_5(), std::vector<Chart>{response_chart()}})
-    charts.insert(charts.end(), more.begin(), more.end());
-  ASSERT_EQ(charts.size(), 4u + 2 + 4 + 1);
-  std::vector<std::string> names;
-  for (const Chart& chart : charts) {
-    names.push_back(chart.name);
-    EXPECT_FALSE(chart.title.empty() || chart.x_label.empty() || chart.y_label.empty());
-    for (const Curve& curve : chart.curves) {
-      ASSERT_EQ(curve.x.size(), curve.y.size()) << chart.name;
-      EXPECT_GT(curve.x.size(), 20u) << chart.name;
-      for (const double y : curve.y) EXPECT_TRUE(std::isfinite(y)) << chart.name;
-    }
+TEST(Explorer, Figure2ShowsThePropertiesThatThePaperNames) {
+  Discretisation d;
+  d.length = 2;
+  d.n = 200;
+  d.radius = {1, true};
+  for (const KernelRow& row : explore(d, 1).rows) {  // far from the boundary the three kernels overlap
+    EXPECT_NEAR(row.W0, row.W, 1e-6);                // the lattice sum differs from 1 by 1e-8
+    EXPECT_NEAR(row.W1, row.W, 1e-6);
   }
-  std::sort(names.begin(), names.end());
-  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
-}
-
-TEST(Figures, Figure2ShowsThePropertiesThatThePaperNames) {
-  const auto charts = figure_2();
-  const auto& inside = charts[0].curves;  // far from the boundary the three kernels overlap
-  for (std::size_t j = 0; j < inside[0].y.size(); ++j) {
-    EXPECT_NEAR(inside[1].y[j], inside[0].y[j], 1e-6);  // the lattice sum differs from 1 by 1e-8
-    EXPECT_NEAR(inside[2].y[j], inside[0].y[j], 1e-6);
-  }
-  const auto& wall = charts[2].curves[2].y;  // W1 at x = 0 changes sign and peaks higher than the others
-  EXPECT_LT(*std::min_element(wall.begin(), wall.end()), 0);
-  EXPECT_GT(wall[0], charts[2].curves[1].y[0]);
+  const auto wall = explore(d, 0).rows;  // W1 at x = 0 changes sign and peaks higher than the others
+  EXPECT_LT(wall.back().W1, 0);
+  EXPECT_GT(wall.front().W1, wall.front().W0);
 }
 
 TEST(Account, SentencesOfSection41) {

@@ -94,9 +94,12 @@ TEST_CASE("1D, sin(5X): looks like order 2 until N is large") {
   const Study study =
       printed("R = 4 dx", refine({}, {40, 80, 160, 320, 640, 1280}, {sine}, {standard, improved}));
   for (const Method& method : {standard, improved}) CHECK(fit(study, sine, method, "rmse").fit.order > 1.85);
+  // mean square = a dx^4 (inside) + b dx^3 (ends), and b/a is small for the sine: order 1.5 shows beyond N =
+  // 20000
   const Study later =
-      printed("R = 4 dx", refine({}, {20480, 40960, 81920, 163840, 327680}, {sine}, {standard, improved}));
-  for (const Method& method : {standard, improved}) require_order(fit(later, sine, method, "rmse"), 1.5);
+      printed("R = 4 dx", refine({}, {40960, 81920, 163840, 327680}, {sine}, {standard, improved}));
+  for (const Method& method : {standard, improved})
+    CHECK(judge(fit(later, sine, method, "rmse").fit, 1.5) == Verdict::pass);
 }
 
 TEST_CASE("1D, R fixed: the standard estimate stalls, the improved one falls far below it") {
@@ -142,13 +145,17 @@ TEST_CASE(
   const Study exact = refine(d, {40, 640}, {linear}, {standard, improved});
   for (const StudyRow& row : exact.rows) CHECK(row.norms.max < 1e-10);  // eps |x| / dx = 2e-13 times the sum
 
-  const Study study = printed("R = 4 dx, jitter 0.2", refine(d, doublings, {sine}, {standard, improved}));
-  for (const Method& method : {standard, improved}) {
-    const StudyFit& f = fit(study, sine, method, "interior_rmse");
-    CHECK(f.fit.order == Approx(1).margin(0.2));
+  // The error of f'' leads, and with W1 the improved one is V W1(0) times the standard one: 4/3 dx/R on the
+  // lattice
+  for (const double ratio : {4.0, 6.0}) {
+    d.radius.value = ratio;
+    const Study study =
+        printed(fmt::format("R = {} dx, jitter 0.2", ratio).c_str(),
+                refine(d, {1280, 2560, 5120, 10240, 20480, 40960}, {sine}, {standard, improved}));
+    for (const Method& method : {standard, improved})
+      CHECK(judge(fit(study, sine, method, "interior_rmse").fit, 1) == Verdict::pass);
+    const double gain = *study.rows[5].norms.interior_rmse / *study.rows[11].norms.interior_rmse;
+    fmt::print("standard over improved inside, N = 40960: {:.2f}\n", gain);
+    CHECK(gain == Approx(0.75 * ratio).epsilon(0.1));  // jitter spreads V W1(0) by some percent
   }
-  const double gain = *study.rows[5].norms.interior_rmse / *study.rows[11].norms.interior_rmse;
-  fmt::print("standard over improved inside, N = 5120: {:.2f}\n", gain);
-  CHECK(gain > 3);
-  CHECK(gain < 5);
 }

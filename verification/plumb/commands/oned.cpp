@@ -236,10 +236,10 @@ void add_response(CLI::App& group, Session& session) {
 
 /// `plumb oned`: the one-dimensional study of gradient estimates.
 void add_oned(CLI::App& program, Session& session) {
-  CLI::App& group =
-      add_command_group(program, session,
-                        {"oned", "gradient estimates in one dimension: kernels, gradient, study, response",
-                         "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160"});
+  CLI::App& group = add_command_group(
+      program, session,
+      {"oned", "gradient estimates in one dimension: kernels, gradient, study, response, account",
+       "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160"});
   add_kernels(group, session);
   add_gradient(group, session);
   add_study(group, session);
