@@ -176,7 +176,7 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
   const Index blocks = solid.blocks();
   bool sound = true;
   Field* F = solid.F.components() ? &solid.F : nullptr;
-#pragma omp parallel for schedule(static) reduction(&& : sound)
+#pragma omp parallel for schedule(static) reduction(&& : sound) if (blocks >= blocks_for_threads)
   for (Index b = 0; b < blocks; ++b) {
     const Block block = solid.block(b);
     sound = solid.sweeps.stress(solid.bonds, state.u, block, solid.P, F) && sound;
@@ -190,7 +190,7 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
     return false;
   }
   const bool store = solid.stored_force.components() > 0;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
   for (Index b = 0; b < blocks; ++b) {
     const Block block = solid.block(b);
     BlockForce<d> force(block);
@@ -206,7 +206,7 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
     }
   }
   if (!store) return true;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
   for (Index b = 0; b < blocks; ++b) {
     const Block block = solid.block(b);
     BlockForce<d> force(block);
@@ -222,7 +222,7 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
 template <int d, class F>
 double sum_over_blocks(const Solid<d>& solid, F&& value) {
   std::vector<double> parts(solid.blocks());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (solid.blocks() >= blocks_for_threads)
   for (Index b = 0; b < solid.blocks(); ++b) parts[b] = value(solid.block(b));
   double sum = 0;
   for (const double part : parts) sum += part;

@@ -23,6 +23,8 @@ struct Block {
 
 /// Slots per block. Blocks do not depend on the number of threads, and neither do sums over them.
 inline constexpr Index block_slots = 256;
+/// Below so many blocks one thread is faster: a block takes some 10 us, waking a second thread as much.
+inline constexpr Index blocks_for_threads = 16;
 
 /// Force per unit reference volume [N/m^d] of the slots of one block; component k of slot i is at (k, i).
 template <int d>

@@ -54,7 +54,7 @@ double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed spe
   const Index blocks = solid.blocks();
   double least = std::numeric_limits<double>::max();
   if (speed == WaveSpeed::linear) {
-#pragma omp parallel for schedule(static) reduction(min : least)
+#pragma omp parallel for schedule(static) reduction(min : least) if (blocks >= blocks_for_threads)
     for (Index b = 0; b < blocks; ++b)
       least = std::min(least, least_distance(solid.bonds, state.u, solid.block(b)));
     return std::sqrt(least) / c;

@@ -52,7 +52,7 @@ struct Verlet {
     }
 
     void kick_and_drift(const Solid<d>& solid, State<d>& state, double dt) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (solid.blocks() >= blocks_for_threads)
       for (Index b = 0; b < solid.blocks(); ++b) {
         const Block block = solid.block(b);
         for (int k = 0; k < d; ++k) {

@@ -142,7 +142,7 @@ TEST(Forces, SumToZeroForEveryForm) {
 TEST(Sweeps, SameBitsForAnyNumberOfThreads) {
   const auto final_state = [](int threads, double jitter) {
     omp_set_num_threads(threads);
-    Solid<3> solid = rubber_block<3>(12, Layout::cell, jitter);
+    Solid<3> solid = rubber_block<3>(20, Layout::cell, jitter);  // 27 blocks: enough for threads
     State<3> state = make_state(solid);
     deform(solid, state, 0.05);
     const Stepper<3> stepper = stepper_named<3>("rk3", solid);
