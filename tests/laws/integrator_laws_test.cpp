@@ -1,0 +1,93 @@
+// Every integrator of the catalogue has the order in time that it claims, on a deforming body under a load
+// that varies in time.
+#include "plumbline/time/integrator.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/solids.hpp"
+
+namespace plumb {
+namespace {
+
+template <class>
+struct AsTypes;
+template <class... Ts>
+struct AsTypes<TypeList<Ts...>> {
+  using type = ::testing::Types<Ts...>;
+};
+
+struct Name {
+  template <class T>
+  static std::string GetName(int) {
+    return std::string(T::name);
+  }
+};
+
+constexpr double end = 2e-3;  // [s]: two thirds of the time in which a wave crosses the block
+
+/// A load [N/m^3] with a period of 1.3 ms: a scheme that takes it at the wrong stage times falls to first
+/// order.
+Term<2> load(const Solid<2>& solid) {
+  Term<2> term;
+  term.name = "load";
+  std::vector<Index> slots;
+  for (Index i = 0; i < solid.cloud.size(); ++i) slots.push_back(solid.bonds.slots.of(i));
+  term.second = [slots](const Solid<2>&, const Block& block, const State<2>&, double time,
+                        BlockForce<2>& force) {
+    for (const Index slot : slots)
+      if (slot >= block.begin() && slot < block.end())
+        force(1, slot) += 3e6 * std::cos(2 * 3.14159 * time / 1.3e-3);
+  };
+  return term;
+}
+
+/// Displacements at the end after n steps.
+template <class T>
+std::vector<Vec<2>> displacements(int n) {
+  Solid<2> solid = testing::rubber_block<2>(6, Layout::node, 0.1);
+  add_term(solid, load(solid));
+  State<2> state = make_state(solid);
+  testing::deform(solid, state, 0.05);  // released from a strained state: the stress drives the motion too
+  typename T::template Stepper<2> stepper(solid);
+  for (int k = 0; k < n; ++k)
+    if (!stepper.step(solid, state, end / n)) throw std::runtime_error("the test's motion is not sound");
+  std::vector<Vec<2>> u;
+  for (Index i = 0; i < solid.cloud.size(); ++i) u.push_back(vector_at<2>(state.u, solid.bonds.slots.of(i)));
+  return u;
+}
+
+double distance(const std::vector<Vec<2>>& a, const std::vector<Vec<2>>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]).squaredNorm();
+  return std::sqrt(sum);
+}
+
+template <class T>
+class IntegratorLaws : public ::testing::Test {};
+TYPED_TEST_SUITE(IntegratorLaws, AsTypes<IntegratorCatalogue>::type, Name);
+
+TYPED_TEST(IntegratorLaws, MeasuredOrderIsTheClaimedOne) {
+  constexpr int claimed = TypeParam::template Stepper<2>::order;
+  // differences of neighbouring step counts instead of a fine reference: their ratio is 2^p without bias
+  const auto u1 = displacements<TypeParam>(80), u2 = displacements<TypeParam>(160),
+             u4 = displacements<TypeParam>(320);
+  const double order = std::log2(distance(u1, u2) / distance(u2, u4));
+  EXPECT_NEAR(order, claimed, 0.2) << distance(u1, u2) << ", "
+                                   << distance(u2, u4);  // the next term, and no more
+}
+
+TYPED_TEST(IntegratorLaws, CountsItsEvaluations) {
+  using Stepper = typename TypeParam::template Stepper<2>;
+  Solid<2> solid = testing::rubber_block<2>(4, Layout::node, 0);
+  State<2> state = make_state(solid);
+  Stepper stepper(solid);
+  stepper.step(solid, state, 1e-6);  // the first step may need one more
+  const auto before = solid.work.particle_evaluations;
+  for (int k = 0; k < 5; ++k) stepper.step(solid, state, 1e-6);
+  EXPECT_EQ(solid.work.particle_evaluations - before, 5 * Stepper::evaluations_per_step * solid.cloud.size());
+  EXPECT_EQ(state.step, 6);
+  EXPECT_NEAR(state.time, 6e-6, 1e-18);
+}
+
+}  // namespace
+}  // namespace plumb
