@@ -130,8 +130,8 @@ void compare_once(Draw& draw, SolutionCheck& check) {
   const double strain = (motion.F - Mat<d>::Identity()).norm() + 0.01;
   const double scale = second.inertia.norm() + mu * (bend + strain / length);
   const auto raise = [](double& worst, double value) {
-    worst = value <= worst ? worst : value;
-  };  // NaN raises too
+    if (!std::isnan(worst) && !(value <= worst)) worst = value;  // NaN enters and stays
+  };
   raise(check.force, (force - (second.inertia - second.divergence)).norm() / scale);
   raise(check.traction, ((stress - second.stress) * N).norm() / (mu * strain));
   raise(check.velocity, (motion.velocity - second.velocity).norm() * solution.period() /

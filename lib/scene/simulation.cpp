@@ -142,9 +142,13 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
 
 template <int d>
 Simulation<d> make_simulation(const Scene& scene) {
+  return make_simulation<d>(scene, make_cloud<d>(scene.body));
+}
+
+template <int d>
+Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud) {
   if (scene.hourglass)
     throw InputError("[hourglass] is not available", "its energy is not built yet", "leave the section out");
-  Cloud<d> cloud = make_cloud<d>(scene.body);
   const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
   const BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   Simulation<d> simulation;
@@ -185,6 +189,8 @@ template BondOptions<2> bond_options<2>(const Scene&, double);
 template BondOptions<3> bond_options<3>(const Scene&, double);
 template Simulation<2> make_simulation<2>(const Scene&);
 template Simulation<3> make_simulation<3>(const Scene&);
+template Simulation<2> make_simulation<2>(const Scene&, Cloud<2>);
+template Simulation<3> make_simulation<3>(const Scene&, Cloud<3>);
 template std::vector<ArrayEntry> arrays_of<2>(const Simulation<2>&);
 template std::vector<ArrayEntry> arrays_of<3>(const Simulation<3>&);
 

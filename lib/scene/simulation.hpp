@@ -32,6 +32,10 @@ BondOptions<d> bond_options(const Scene& scene, double spacing);
 template <int d>
 Simulation<d> make_simulation(const Scene& scene);
 
+/// The same with particles that [body] cannot describe.
+template <int d>
+Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud);
+
 /// One array of a simulation, for `plumb explain` and memory figures.
 struct ArrayEntry {
   std::string name;

@@ -1,0 +1,28 @@
+#pragma once
+#include <memory>
+
+#include "mms/manufactured.hpp"
+#include "plumbline/geometry/layout.hpp"
+#include "plumbline/solid/solid.hpp"
+#include "plumbline/time/integrator.hpp"
+
+namespace plumb::mms {
+
+/// What makes a body follow a manufactured solution: everything is evaluated at the times of the stages.
+struct DriveOptions {
+  Layout layout = Layout::node;
+  bool body_force = false;  ///< add s (finite-strain); without it the body is the one of the printed field
+};
+
+/// Sets the exact displacement and velocity of the state's time, and adds to the solid, as its last term, the
+/// body force (if asked for), the tractions P N on faces where they are known, and the prescribed motion of
+/// components known on a face: their force becomes rho u_tt, and after each step of the returned stepper they
+/// have the exact u and u_t. Particles that belong to a face: those on it (node layout), or the first layer
+/// (cell layout), which then gets the values of the nearest point of the face, as a boundary condition there
+/// says. Traction t acts on a particle as t A/V, A its share of the face. Boxes only; the circles of an
+/// annulus are left free.
+template <int d>
+Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
+                 const DriveOptions& options);
+
+}  // namespace plumb::mms

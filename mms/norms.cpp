@@ -1,0 +1,150 @@
+#include "mms/norms.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <memory>
+
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/geometry/neighbours.hpp"
+
+namespace plumb::mms {
+namespace {
+
+struct Node {
+  double at, weight;
+};
+
+/// Gauss points of all tiles of one axis from `origin` over `length`.
+std::vector<Node> gauss_nodes(double origin, double length, int tiles, int points) {
+  const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)> table(
+      gsl_integration_glfixed_table_alloc(static_cast<std::size_t>(points)),
+      &gsl_integration_glfixed_table_free);
+  const double tile = length / tiles;
+  std::vector<Node> nodes;
+  for (int k = 0; k < tiles; ++k)
+    for (int p = 0; p < points; ++p) {
+      Node node{};
+      gsl_integration_glfixed_point(origin + k * tile, origin + (k + 1) * tile, static_cast<std::size_t>(p),
+                                    &node.at, &node.weight, table.get());
+      nodes.push_back(node);
+    }
+  return nodes;
+}
+
+/// Sums of squares, turned into norms at the end.
+template <int d>
+struct Sums {
+  ErrorNorms sum;
+  void add(const PointValue<d>& value, const PointValue<d>& exact, double weight) {
+    const double error = (value.u - exact.u).squaredNorm();
+    sum.l2 += weight * error;
+    sum.h1 += weight * (value.gradient - exact.gradient).squaredNorm();
+    if (!std::isnan(sum.linf) && !(std::sqrt(error) <= sum.linf))
+      sum.linf = std::sqrt(error);  // NaN enters and stays
+  }
+  ErrorNorms norms() const { return {std::sqrt(sum.l2), std::sqrt(sum.h1), sum.linf}; }
+};
+
+template <int d>
+class Interpolator {
+ public:
+  Interpolator(const Cloud<d>& cloud, const NodalValues<d>& values, const Interpolation<d>& how)
+      : cloud_(cloud), values_(values), how_(how), search_(cloud.X) {}
+
+  PointValue<d> operator()(const Vec<d>& X) {
+    search_.within(X, how_.kernel.support * how_.smoothing_length, found_);
+    neighbours_.clear();
+    for (const Index j : found_) neighbours_.push_back({cloud_.X[j] - X, cloud_.V[j]});
+    const CorrectedKernel<d> kernel = corrected(X);
+    PointValue<d> value;
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      const Vec<d>& u = values_[static_cast<std::size_t>(found_[k])].u;
+      value.u += kernel.weight[k] * u;
+      value.gradient += u * kernel.gradient[k].transpose();
+    }
+    return value;
+  }
+
+ private:
+  CorrectedKernel<d> corrected(const Vec<d>& X) const {
+    try {
+      return correct<d>(how_.pair, how_.kernel, how_.smoothing_length, neighbours_);
+    } catch (const InputError& error) {
+      std::string where = fmt::format("{:g}", X[0]);
+      for (int a = 1; a < d; ++a) where += fmt::format(", {:g}", X[a]);
+      throw InputError(fmt::format("the Gauss norms do not exist: no interpolation at ({})", where),
+                       error.problem(), "Use layout = \"node\", a larger beta, or quadrature = \"nodal\".");
+    }
+  }
+
+  const Cloud<d>& cloud_;
+  const NodalValues<d>& values_;
+  const Interpolation<d>& how_;
+  NeighbourSearch<d> search_;
+  std::vector<Index> found_;
+  std::vector<Neighbour<d>> neighbours_;
+};
+
+}  // namespace
+
+template <int d>
+NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state) {
+  NodalValues<d> values(solid.cloud.X.size());
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    values[static_cast<std::size_t>(i)] = {vector_at<d>(state.u, solid.bonds.slots.of(i)),
+                                           deformation_gradient_of(solid, state, i) - Mat<d>::Identity()};
+  return values;
+}
+
+template <int d>
+NodalValues<d> difference(const NodalValues<d>& a, const NodalValues<d>& b) {
+  NodalValues<d> out(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) out[i] = {a[i].u - b[i].u, a[i].gradient - b[i].gradient};
+  return out;
+}
+
+template <int d>
+ErrorNorms nodal_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact) {
+  Sums<d> sums;
+  for (std::size_t i = 0; i < values.size(); ++i) sums.add(values[i], exact(cloud.X[i]), cloud.V[i]);
+  return sums.norms();
+}
+
+template <int d>
+ErrorNorms gauss_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact,
+                       const Interpolation<d>& interpolation, int tiles, int points) {
+  std::array<std::vector<Node>, d> nodes;
+  for (int a = 0; a < d; ++a)
+    nodes[static_cast<std::size_t>(a)] = gauss_nodes(cloud.box.origin[a], cloud.box.size[a], tiles, points);
+  Interpolator<d> interpolate(cloud, values, interpolation);
+  Sums<d> sums;
+  const std::size_t per_axis = nodes[0].size();
+  std::size_t count = 1;
+  for (int a = 0; a < d; ++a) count *= per_axis;
+  for (std::size_t k = 0; k < count; ++k) {
+    Vec<d> X;
+    double weight = 1;
+    std::size_t rest = k;
+    for (std::size_t a = 0; a < d; ++a, rest /= per_axis) {
+      X[static_cast<int>(a)] = nodes[a][rest % per_axis].at;
+      weight *= nodes[a][rest % per_axis].weight;
+    }
+    sums.add(interpolate(X), exact(X), weight);
+  }
+  return sums.norms();
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                                                    \
+  template NodalValues<d> nodal_values<d>(const Solid<d>&, const State<d>&);                        \
+  template NodalValues<d> difference<d>(const NodalValues<d>&, const NodalValues<d>&);              \
+  template ErrorNorms nodal_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&); \
+  template ErrorNorms gauss_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&,  \
+                                     const Interpolation<d>&, int, int);
+PLUMBLINE_INSTANTIATE(2)
+PLUMBLINE_INSTANTIATE(3)
+#undef PLUMBLINE_INSTANTIATE
+
+}  // namespace plumb::mms

@@ -1,0 +1,85 @@
+#include "mms/norms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumb::mms {
+namespace {
+
+// u = (X + 2Y, 3X - Y) on [0, 2] x [0, 1]: integrals by hand.
+PointValue<2> linear(const Vec<2>& X) {
+  PointValue<2> value;
+  value.gradient << 1, 2, 3, -1;
+  value.u = value.gradient * X;
+  return value;
+}
+
+Cloud<2> plate(Layout layout) {
+  return lattice<2>({{0, 0}, {2, 1}}, {20, 10}, layout);
+}
+
+NodalValues<2> sampled(const Cloud<2>& cloud) {
+  NodalValues<2> values;
+  for (const Vec<2>& X : cloud.X) values.push_back(linear(X));
+  return values;
+}
+
+const ExactField<2> nothing = [](const Vec<2>&) { return PointValue<2>{}; };
+
+// int (X+2Y)^2 + (3X-Y)^2 = int 10 X^2 - 2 XY + 5 Y^2 = 10 * 8/3 - 2 * 2 * 1/2 + 5 * 2/3 = 28; int |H|^2 = 15
+// * 2. W1 interpolates linear fields exactly and Gauss points integrate squares exactly: round-off is left.
+TEST(GaussNorms, OfALinearFieldAreItsIntegrals) {
+  const Cloud<2> cloud = plate(Layout::node);
+  const Interpolation<2> how{kernel_named<2>("cubic"), 0.09, Pair::W1};
+  const ErrorNorms norms = gauss_norms<2>(cloud, sampled(cloud), nothing, how);
+  EXPECT_NEAR(norms.l2, std::sqrt(28.0), 1e-12);
+  EXPECT_NEAR(norms.h1, std::sqrt(30.0), 1e-11);
+  const ErrorNorms error = gauss_norms<2>(cloud, sampled(cloud), linear, how);
+  EXPECT_LT(error.l2, 1e-13);
+  EXPECT_LT(error.h1, 1e-12);
+  EXPECT_LT(error.linf, 1e-13);
+}
+
+// W0 interpolates constants only, but its corrected gradient is exact for linear fields.
+TEST(GaussNorms, UseTheSchemesOwnPair) {
+  const Cloud<2> cloud = plate(Layout::node);
+  const Interpolation<2> how{kernel_named<2>("cubic"), 0.09, Pair::W0};
+  const ErrorNorms error = gauss_norms<2>(cloud, sampled(cloud), linear, how);
+  EXPECT_GT(error.l2, 1e-3);
+  EXPECT_LT(error.h1, 1e-11);
+}
+
+// beta = 0.6, cell layout: the Gauss point nearest to the corner sees one particle.
+TEST(GaussNorms, AreRefusedWhereInterpolationIsSingular) {
+  const Cloud<2> cloud = plate(Layout::cell);
+  const Interpolation<2> how{kernel_named<2>("cubic"), 0.06, Pair::W1};
+  try {
+    gauss_norms<2>(cloud, sampled(cloud), linear, how);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("node"), std::string::npos) << error.what();
+  }
+}
+
+// Half volumes at edges make the sum a trapezoidal rule: int X^2 over [0, 2] at 20 cells has the error (2/12)
+// d^2 * 2 * 1.
+TEST(NodalNorms, SumWithVolumes) {
+  const Cloud<2> cloud = plate(Layout::node);
+  const ErrorNorms norms = nodal_norms<2>(cloud, sampled(cloud), nothing);
+  const double d = 0.1, trapezoidal = 10 * (8.0 / 3 + d * d / 3) - 2 + 5 * 2 * (1.0 / 3 + d * d / 6);
+  EXPECT_NEAR(norms.l2, std::sqrt(trapezoidal), 1e-12);
+  EXPECT_NEAR(norms.h1, std::sqrt(30.0), 1e-12);
+  EXPECT_NEAR(norms.linf, std::hypot(4.0, 5.0), 1e-14);  // at (2, 1)
+}
+
+TEST(NodalNorms, ABrokenFieldIsNotANumber) {
+  const Cloud<2> cloud = plate(Layout::node);
+  NodalValues<2> values = sampled(cloud);
+  values[7].u[0] = std::nan("");
+  EXPECT_TRUE(std::isnan(nodal_norms<2>(cloud, values, nothing).l2));
+  EXPECT_TRUE(std::isnan(nodal_norms<2>(cloud, values, nothing).linf));
+}
+
+}  // namespace
+}  // namespace plumb::mms

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "mms/manufactured.hpp"
+#include "plumb/commands.hpp"
+#include "plumb/mms_output.hpp"
+#include "plumb/session.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MmsOptions {
+  std::string study, check;
+  std::vector<std::string> overrides;
+  bool list = false;
+  std::size_t points = 1000;
+  std::uint64_t seed = 1;
+};
+
+std::vector<std::string> solution_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
+  return names;
+}
+
+int list(const Session& session) {
+  for (const auto& entry : mms::solution_list()) {
+    std::string dimensions;
+    for (const int d : entry.dimensions)
+      dimensions += fmt::format("{}{}D", dimensions.empty() ? "" : ", ", d);
+    session.text() << fmt::format("{} ({}): {}\n", entry.name, dimensions, entry.summary);
+    for (const auto& p : entry.parameters.all())
+      session.text() << fmt::format("    {} = {:g} {}, from {:g} to {:g}: {}\n", p.name, p.value,
+                                    p.unit == "1" ? "" : p.unit, p.least, p.most, p.meaning);
+  }
+  session.write_json(solutions_json());
+  return 0;
+}
+
+int check(const Session& session, const MmsOptions& options) {
+  const auto checks = mms::check_solution(options.check, options.points, options.seed);
+  bool passed = true;
+  for (const auto& one : checks) passed = passed && one.passed;
+  const Json rows = json_of(checks);
+  session.write_table(rows);
+  session.text() << fmt::format("two derivations compared, relative; tolerance {:g}: {}\n",
+                                mms::check_tolerance, passed ? "pass" : "fail");
+  session.write_json(
+      {{"tolerance", mms::check_tolerance}, {"rows", rows}, {"status", passed ? "pass" : "fail"}});
+  return passed ? 0 : 1;
+}
+
+void draw(const Session& session, const reports::Picture& picture) {
+  if (session.plot.empty()) return;
+  for (const auto& dropped : reports::save(picture, session.plot))
+    std::cerr << fmt::format("plumb: warning: {}: {} points not drawn, {}\n", dropped.series, dropped.points,
+                             dropped.why);
+}
+
+int study(const Session& session, const MmsOptions& options) {
+  const Study study = read_study(options.study, options.overrides, solution_names());
+  Progress progress(study.name, session.progress());
+  const mms::StudyResult result =
+      mms::run_study(study, [&](double done, const std::string& note) { progress.update(done, note); });
+  progress.finish();
+  const Json json = json_of(study, result);
+  session.write_table(json["levels"]);
+  session.text() << '\n';
+  for (const auto& fit : result.fits)
+    session.text() << fmt::format("{:<9} order {:.3f} [{:.3f}, {:.3f}] from {} levels{}: {}\n", fit.norm,
+                                  fit.fit.order, fit.fit.lower, fit.fit.upper, fit.fit.levels.size(),
+                                  fit.declared ? fmt::format(", declared {:g}", *fit.declared) : "",
+                                  fit.verdict);
+  for (const auto& note : result.notes) session.text() << note << '\n';
+  session.text() << "status: " << result.status << '\n';
+  draw(session, study_picture(study, result));
+  session.write_json(json);
+  return !study.expect || result.status == "pass" ? 0 : 1;
+}
+
+int mms_action(const Session& session, const MmsOptions& options) {
+  const int asked = int(options.list) + int(!options.check.empty()) + int(!options.study.empty());
+  if (asked != 1)
+    throw InputError("plumb mms does one thing at a time", "",
+                     "Give a study file, or --list, or --check NAME. Example: plumb mms "
+                     "verification/studies/swinging_plate.toml");
+  if (options.list) return list(session);
+  if (!options.check.empty()) return check(session, options);
+  return study(session, options);
+}
+
+}  // namespace
+
+/// `plumb mms`: convergence studies with manufactured solutions.
+void add_mms(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<MmsOptions>();
+  CLI::App& command = add_command(program, session,
+                                  {"mms", "convergence study with a manufactured solution",
+                                   "plumb mms verification/studies/swinging_plate.toml --json -"},
+                                  {.table = true, .plot = true},
+                                  [&session, options] { return mms_action(session, *options); });
+  command.add_option("study", options->study, "study file (TOML)");
+  command.add_flag("--list", options->list, "the catalogue of solutions with their parameters");
+  command.add_option("--check", options->check,
+                     "compares the two derivations of a solution at random points");
+  command.add_option("--points", options->points, "number of random points of --check")
+      ->capture_default_str();
+  command.add_option("--seed", options->seed, "seed of --check")->capture_default_str();
+  command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+}
+
+}  // namespace plumb

@@ -1,0 +1,118 @@
+#include "plumb/mms_output.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "mms/manufactured.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json level_json(const mms::StudyLevel& level) {
+  Json row{{"n", level.n},         {"d", level.d},         {"dt", level.dt},          {"steps", level.steps},
+           {"l2", level.nodal.l2}, {"h1", level.nodal.h1}, {"linf", level.nodal.linf}};
+  if (level.gauss) {
+    row["l2_gauss"] = level.gauss->l2;
+    row["h1_gauss"] = level.gauss->h1;
+  }
+  row["cpu_s"] = level.cpu_s;
+  row["wall_s"] = level.wall_s;
+  row["pair_evaluations"] = level.pair_evaluations;
+  if (level.failure) row["status"] = "unstable: " + *level.failure;
+  return row;
+}
+
+Json fit_json(const mms::StudyFit& fit) {
+  const OrderFit& f = fit.fit;
+  return {{"norm", fit.norm},
+          {"order", f.order},
+          {"ci95", {f.lower, f.upper}},
+          {"pairwise", f.pairwise},
+          {"drift", f.drift},
+          {"levels", f.levels.size()},
+          {"declared", fit.declared ? Json(*fit.declared) : Json(nullptr)},
+          {"modelling_floor", fit.modelling_floor},
+          {"verdict", fit.verdict}};
+}
+
+}  // namespace
+
+Json json_of(const Study& study, const mms::StudyResult& result) {
+  Json levels = Json::array(), fits = Json::array();
+  for (const auto& level : result.levels) levels.push_back(level_json(level));
+  for (const auto& fit : result.fits) fits.push_back(fit_json(fit));
+  Json out{{"study", study.name},  {"solution", study.solution},   {"parameters", study.parameters},
+           {"force", study.force}, {"time", mms::end_time(study)}, {"levels", levels},
+           {"fits", fits}};
+  if (study.expect) out["reason"] = study.expect->reason;
+  out["notes"] = result.notes;
+  out["status"] = result.status;
+  return out;
+}
+
+Json solutions_json() {
+  Json solutions = Json::array();
+  for (const auto& entry : mms::solution_list()) {
+    Json parameters = Json::array();
+    for (const auto& p : entry.parameters.all())
+      parameters.push_back({{"name", p.name},
+                            {"default", p.value},
+                            {"unit", p.unit},
+                            {"range", {p.least, p.most}},
+                            {"meaning", p.meaning}});
+    solutions.push_back({{"name", entry.name},
+                         {"summary", entry.summary},
+                         {"dimensions", entry.dimensions},
+                         {"material",
+                          {{"young", entry.material.young},
+                           {"poisson", entry.material.poisson},
+                           {"density", entry.material.density}}},
+                         {"parameters", parameters}});
+  }
+  return {{"solutions", solutions}};
+}
+
+Json json_of(const std::vector<mms::SolutionCheck>& checks) {
+  Json rows = Json::array();
+  for (const auto& check : checks)
+    rows.push_back({{"solution", check.solution},
+                    {"dimension", check.dimension},
+                    {"material", check.material},
+                    {"points", check.points},
+                    {"force", check.force},
+                    {"traction", check.traction},
+                    {"velocity", check.velocity},
+                    {"status", check.passed ? "pass" : "fail"}});
+  return rows;
+}
+
+reports::Picture study_picture(const Study& study, const mms::StudyResult& result) {
+  reports::Picture picture;
+  picture.title = fmt::format("{}: error at t = {:.4g} s", study.name, mms::end_time(study));
+  picture.x = {"spacing", "m", reports::Scale::log};
+  picture.y = {"error of displacement (L2, max) and of its gradient (H1)", "", reports::Scale::log};
+  picture.labels = reports::Labels::legend;
+  const std::map<std::string, std::string> names{{"l2", "L2, nodal"},
+                                                 {"h1", "H1, nodal"},
+                                                 {"linf", "max, nodal [m]"},
+                                                 {"l2_gauss", "L2, Gauss"},
+                                                 {"h1_gauss", "H1, Gauss"}};
+  for (const auto& fit : result.fits) {
+    reports::Series series;
+    series.label = names.at(fit.norm);
+    for (const auto& level : result.levels) {
+      series.x.push_back(level.d);
+      series.y.push_back(mms::norm_of(level, fit.norm));
+    }
+    if (fit.declared && picture.triangles.empty())
+      picture.triangles.push_back({*fit.declared, picture.series.size()});
+    picture.series.push_back(series);
+  }
+  return picture;
+}
+
+}  // namespace plumb

@@ -1,0 +1,21 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "mms/check.hpp"
+#include "mms/study.hpp"
+#include "reports/picture.hpp"
+
+namespace plumb {
+
+/// {"study", "solution", "time", "levels", "fits", "notes", "status"} of shared/interface.md.
+nlohmann::ordered_json json_of(const Study& study, const mms::StudyResult& result);
+/// The catalogue: name, summary, dimensions, material, parameters with unit and range.
+nlohmann::ordered_json solutions_json();
+/// One object per solution, dimension and material.
+nlohmann::ordered_json json_of(const std::vector<mms::SolutionCheck>& checks);
+
+/// Errors over spacing, one line per norm, with the triangle of the declared order.
+reports::Picture study_picture(const Study& study, const mms::StudyResult& result);
+
+}  // namespace plumb
