@@ -24,7 +24,8 @@ const std::vector<std::string>& verdict_names();
 /// "pass" if it holds, else "fail".
 std::string pass_if(bool holds);
 
-/// One column of a table; numbers are shown with `digits` significant digits, as many as they are worth.
+/// One column of a table; numbers are shown with `digits` significant digits, as many as they are
+/// worth; 0 stands for whole numbers.
 struct Column {
   std::string name;
   std::string unit = {};

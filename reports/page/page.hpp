@@ -29,7 +29,8 @@ std::string html(const Page& page);
 /// How often each verdict occurs, in the order of verdict_names().
 std::vector<std::pair<std::string, std::size_t>> count_verdicts(const std::vector<PageSection>& sections);
 
-/// A number with `digits` significant digits for people: 1.234e-05 as 1.234·10⁻⁵ (plain text, no markup).
+/// A number with `digits` significant digits for people: 1.234e-05 as 1.234·10⁻⁵ (plain text, no markup); 0
+/// digits: a whole number.
 std::string number_text(double value, int digits);
 
 }  // namespace plumb::reports

@@ -40,11 +40,14 @@ std::string cell(const Entry& entry, const Column& column) {
   return "<td></td>";
 }
 
+/// Command and JSON of one or two runs; the numbered commands of more.
 std::string source_links(const std::vector<std::string>& jobs) {
-  std::string out;
-  for (const auto& job : jobs)
-    out +=
-        fmt::format(" · <a href=\"#cmd-{0}\">command</a> · <a href=\"data/{0}.json\">JSON</a>", escaped(job));
+  std::string out = jobs.size() > 2 ? " · commands:" : "";
+  for (std::size_t k = 0; k < jobs.size(); ++k)
+    out += jobs.size() > 2
+               ? fmt::format(" <a href=\"#cmd-{}\">{}</a>", escaped(jobs[k]), k + 1)
+               : fmt::format(" · <a href=\"#cmd-{0}\">command</a> · <a href=\"data/{0}.json\">JSON</a>",
+                             escaped(jobs[k]));
   return out;
 }
 
@@ -52,6 +55,7 @@ std::string source_links(const std::vector<std::string>& jobs) {
 
 std::string number_text(double value, int digits) {
   if (!std::isfinite(value)) return "not finite";
+  if (digits == 0) return fmt::format("{:.0f}", value);
   if (value == 0) return "0";
   const double size = std::abs(value);
   if (size < 1e-3 || size >= 1e6) {

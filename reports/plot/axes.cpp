@@ -19,6 +19,15 @@ std::vector<double> one_two_five(const Range& range) {
   return ticks;
 }
 
+/// A step of 1, 2 or 5 times a power of ten that divides the range into at most six parts.
+double nice_step(const Range& range) {
+  const double rough = (range.high - range.low) / 6;
+  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * decade >= rough) return digit * decade;
+  return 10 * decade;
+}
+
 std::string explicit_ticks(const std::string& name, const std::vector<double>& ticks) {
   std::string list;
   for (double value : ticks)
@@ -62,7 +71,7 @@ std::string axis_commands(const std::string& name, const Range& range, const std
   std::string out = fmt::format("set {}range [{:.12g}:{:.12g}]\n", name, range.low, range.high);
   if (range.log) out += fmt::format("set logscale {}\n", name);
   if (!ticks.empty()) return out + explicit_ticks(name, ticks);
-  if (!range.log) return out;
+  if (!range.log) return out + fmt::format("set {}tics {:.12g}\n", name, nice_step(range));
   const double decades = std::log10(range.high / range.low);
   if (decades < 1.8) return out + explicit_ticks(name, one_two_five(range));
   const int step = static_cast<int>(std::ceil(decades / 9));

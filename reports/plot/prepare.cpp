@@ -104,8 +104,12 @@ void place_triangles(Prepared& p) {
     t.x[1] = p.x.value(centre + 0.11);
     const double rise = std::pow(t.x[1] / t.x[0], wanted.order);
     const double gap = 0.06;
-    const double under0 = p.y.value(line_fraction(p, series, centre - 0.11) - gap);
-    const double under1 = p.y.value(line_fraction(p, series, centre + 0.11) - gap);
+    const auto under = [&](double x) {
+      double least = 1;
+      for (const auto& other : p.picture.series) least = std::min(least, line_fraction(p, other, x));
+      return p.y.value(least - gap);
+    };
+    const double under0 = under(centre - 0.11), under1 = under(centre + 0.11);
     t.y[0] = std::min(under0, under1 / rise);
     t.y[1] = t.y[0] * rise;
     t.x[2] = wanted.order > 0 ? t.x[1] : t.x[0];
