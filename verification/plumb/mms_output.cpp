@@ -94,7 +94,7 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
   reports::Picture picture;
   picture.title = fmt::format("{}: error at t = {:.4g} s", study.name, mms::end_time(study));
   picture.x = {"spacing", "m", reports::Scale::log};
-  picture.y = {"error of displacement (L2, max) and of its gradient (H1)", "", reports::Scale::log};
+  picture.y = {"error", "", reports::Scale::log};
   picture.labels = reports::Labels::legend;
   const std::map<std::string, std::string> names{{"l2", "L2, nodal"},
                                                  {"h1", "H1, nodal"},
