@@ -1,6 +1,7 @@
 // Every mistake in a scene gets one message with file, line and key, and nothing is built.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "plumbline/scene/read_scene.hpp"
@@ -45,6 +46,10 @@ struct Bad {
   std::string key, words;
 };
 
+void PrintTo(const Bad& bad, std::ostream* to) {
+  *to << bad.instead;
+}
+
 std::string with(const Bad& bad) {
   std::string text = good;
   const auto place = text.find(bad.line);
@@ -72,7 +77,9 @@ TEST_P(BadScene, IsRefusedWithFileLineAndKey) {
 INSTANTIATE_TEST_SUITE_P(
     Table, BadScene,
     ::testing::Values(
-        Bad{"UnknownKey", "young = \"17 MPa\"", "yuong = \"17 MPa\"", 12, "material.yuong", "young"},
+        Bad{"MisspeltRequiredKey", "young = \"17 MPa\"", "yuong = \"17 MPa\"", 10, "material.young",
+            "\"yuong\" in line 12"},
+        Bad{"UnknownKey", "cfl = 0.5", "cfl = 0.5\nbeata = 1", 23, "method.beata", "beta"},
         Bad{"UnknownSection", "[initial]", "[intial]", 23, "intial", "initial"},
         Bad{"MissingKey", "density = 1100\n", "", 10, "material.density", "missing key"},
         Bad{"MissingSection",
@@ -131,14 +138,14 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"VelocityAndSpin", "velocity = [\"Y\", \"-X\"]", "velocity = [\"Y\", \"-X\"]\nspin = [0, 0, 1]",
             25, "initial.spin", "contradicts"},
         Bad{"EmptyInitial", "velocity = [\"Y\", \"-X\"]\n", "", 23, "initial", "velocity or spin"},
-        Bad{"FaceOfTheThirdAxis", "face = \"x-\"", "face = \"z-\"", 26, "boundary.1.face", "z-"},
-        Bad{"NoPlaceOfTheBoundary", "face = \"x-\"\n", "", 25, "boundary.1", "face"},
-        Bad{"BoundaryKind", "kind = \"clamped\"", "kind = \"clampd\"", 27, "boundary.1.kind", "clamped"},
+        Bad{"FaceOfTheThirdAxis", "face = \"x-\"", "face = \"z-\"", 26, "boundary.0.face", "z-"},
+        Bad{"NoPlaceOfTheBoundary", "face = \"x-\"\n", "", 25, "boundary.0", "face"},
+        Bad{"BoundaryKind", "kind = \"clamped\"", "kind = \"clampd\"", 27, "boundary.0.kind", "clamped"},
         Bad{"RollerWithoutFace", "face = \"x-\"\nkind = \"clamped\"",
-            "where = \"X < 0.1\"\nkind = \"roller\"", 27, "boundary.1.kind", "face"},
+            "where = \"X < 0.1\"\nkind = \"roller\"", 27, "boundary.0.kind", "face"},
         Bad{"VelocityOfAClamp", "kind = \"clamped\"", "kind = \"clamped\"\nvelocity = [\"1\", \"0\"]", 28,
-            "boundary.1.velocity", "contradicts"},
-        Bad{"MissingVelocity", "kind = \"clamped\"", "kind = \"velocity\"", 25, "boundary.1.velocity",
+            "boundary.0.velocity", "contradicts"},
+        Bad{"MissingVelocity", "kind = \"clamped\"", "kind = \"velocity\"", 25, "boundary.0.velocity",
             "missing key"},
         Bad{"TomlSyntax", "name = \"test\"", "name = \"test", 2, "", "TOML"}),
     [](const auto& row) { return row.param.name; });
