@@ -1,0 +1,80 @@
+#include "plumbline/time/time_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include "plumbline/solid/run.hpp"
+#include "tests/support/solids.hpp"
+
+namespace plumb::testing {
+namespace {
+
+TEST(CrossingTime, OfTheUndeformedColumnIsThatOfTable1) {
+  Box<3> box{Vec<3>(0, 0, 0), Vec<3>(1, 1, 6)};
+  Cloud<3> cloud = lattice<3>(box, {5, 5, 30}, Layout::cell);
+  const auto o = options<3>(Scheme{}, cloud.spacing);
+  const Solid<3> solid = make_solid<3>(std::move(cloud), "neo-hookean", Elastic{17e6, 0.495, 1100}, o);
+  const State<3> state = make_state(solid);
+  const double crossing = crossing_time(solid, state, WaveSpeed::linear);
+  EXPECT_NEAR(0.3 * crossing, 83.042e-6, 1e-9);  // cases.md: alpha 0.2/C_lin; the paper prints 83.04 us
+  EXPECT_NEAR(0.9 * crossing, 249.126e-6, 1e-9);
+  for (const WaveSpeed speed : {WaveSpeed::stretch, WaveSpeed::stretch_inverse})
+    EXPECT_NEAR(crossing_time(solid, state, speed), crossing,
+                1e-12 * crossing);  // no stretch: all readings agree
+}
+
+TEST(CrossingTime, SeesTheShortestPairAndTheLeastStretch) {
+  const Vec<3> stretch(0.8, 1.1, 1.3);
+  for (const double jitter : {0.0, 0.2}) {
+    Solid<3> solid = rubber_block<3>(6, Layout::cell, jitter);
+    State<3> state = make_state(solid);
+    for (Index i = 0; i < solid.cloud.size(); ++i)
+      set_vector<3>(state.u, solid.bonds.slots.of(i),
+                    (stretch.array() - 1).matrix().cwiseProduct(solid.cloud.X[i]));
+    double shortest = 1e9;
+    for (Index i = 0; i < solid.cloud.size(); ++i)
+      for (Index j = 0; j < i; ++j)
+        shortest = std::min(shortest, stretch.cwiseProduct(solid.cloud.X[j] - solid.cloud.X[i]).norm());
+    const double c = solid.elastic.wave_speed();
+    const double rounding = 1e-11 * shortest / c;
+    EXPECT_NEAR(crossing_time(solid, state, WaveSpeed::linear), shortest / c, rounding);
+    EXPECT_NEAR(crossing_time(solid, state, WaveSpeed::stretch), shortest / (c * 0.8), rounding);
+    EXPECT_NEAR(crossing_time(solid, state, WaveSpeed::stretch_inverse), shortest / c * 0.8, rounding);
+  }
+}
+
+TEST(Run, MeetsTheEndTimeAndCountsWork) {
+  Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
+  State<2> state = make_state(solid);
+  deform(solid, state, 0.01);
+  const Stepper<2> stepper = stepper_named<2>("rk3", solid);
+  StepControl control;
+  control.cfl = 0.3;
+  control.fixed_step = control.cfl * crossing_time(solid, state, WaveSpeed::linear);
+  control.end_time = 3.3 * *control.fixed_step;
+  const RunResult result = run(solid, state, stepper, control);
+  EXPECT_TRUE(result.completed());
+  EXPECT_DOUBLE_EQ(state.time, *control.end_time);
+  EXPECT_EQ(state.step, 4);
+  EXPECT_EQ(solid.work.particle_evaluations, 4 * 3 * solid.cloud.size());
+  EXPECT_EQ(solid.work.pair_evaluations, 4 * 3 * solid.bonds.pairs);
+}
+
+TEST(Run, AnExplosionIsStoppedAndTheLastGoodStateKept) {
+  Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
+  State<2> state = make_state(solid);
+  deform(solid, state, 0.05);
+  const Stepper<2> stepper = stepper_named<2>("rk3", solid);
+  StepControl control;
+  control.fixed_step = 20 * crossing_time(solid, state, WaveSpeed::linear);  // far beyond any stability limit
+  control.max_steps = 1000;
+  const RunResult result = run(solid, state, stepper, control);
+  ASSERT_TRUE(result.failure.has_value());
+  EXPECT_TRUE(result.failure->cause == Cause::inverted || result.failure->cause == Cause::non_finite);
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    EXPECT_TRUE(vector_at<2>(state.u, solid.bonds.slots.of(i)).allFinite());
+  EXPECT_TRUE(
+      evaluate(solid, state, state.time, [](const Block&, BlockForce<2>&) {}));  // the kept state is sound
+}
+
+}  // namespace
+}  // namespace plumb::testing
