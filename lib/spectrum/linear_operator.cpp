@@ -1,0 +1,183 @@
+#include "plumbline/spectrum/linear_operator.hpp"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <set>
+
+namespace plumb {
+namespace {
+
+/// Small-strain elasticity: the tangent of every isotropic material of the same constants at F = I.
+struct SmallStrain {
+  static constexpr std::string_view name = "small-strain";
+  double lame, shear;
+  explicit SmallStrain(const Elastic& e) : lame(e.lame()), shear(e.shear_modulus()) {}
+
+  template <class T, int d>
+  T energy(const Eigen::Matrix<T, d, d>&) const {
+    return T(0);  // not asked for
+  }
+  template <class T, int d>
+  Eigen::Matrix<T, d, d> first_piola(const Eigen::Matrix<T, d, d>& F) const {
+    Eigen::Matrix<T, d, d> P;
+    T trace(0);
+    for (int a = 0; a < d; ++a) trace = trace + F(a, a) - T(1);
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b) P(a, b) = T(shear) * (F(a, b) + F(b, a));
+    for (int a = 0; a < d; ++a) P(a, a) = P(a, a) + T(lame) * trace - T(2 * shear);
+    return P;
+  }
+};
+
+/// Loops for linear response: the deformation is scaled freely, so J means nothing.
+template <int d>
+Sweeps<d> linear_sweeps(const Elastic& elastic, int width) {
+  Sweeps<d> sweeps = make_sweeps<d>(SmallStrain(elastic), width);
+  sweeps.stress = [stress = sweeps.stress](const BondTable<d>& bonds, const Field& u, const Block& block,
+                                           Field& P, Field* F) {
+    stress(bonds, u, block, P, F);
+    return true;
+  };
+  return sweeps;
+}
+
+}  // namespace
+
+template <int d>
+LinearOperator<d>::LinearOperator(Solid<d> solid, const std::vector<Support<d>>& supports)
+    : solid_(std::move(solid)) {
+  own_sweeps_ = solid_.sweeps;
+  solid_.sweeps = linear_sweeps<d>(solid_.elastic, solid_.bonds.width);
+  state_ = make_state(solid_);
+  std::set<std::pair<Index, int>> held;
+  for (const auto& s : supports) held.insert({s.particle, s.component});
+  for (Index i = 0; i < solid_.cloud.size(); ++i)
+    for (int k = 0; k < d; ++k)
+      if (!held.count({i, k})) components_.push_back({i, k});
+  at_rest_ = Eigen::VectorXd::Zero(size());
+  at_rest_ = response(nullptr, nullptr);
+  // any term that acts on velocities answers to a field without symmetry
+  Eigen::VectorXd probe(size());
+  for (Index n = 0; n < size(); ++n) probe[n] = std::sin(12.9898 * static_cast<double>(n + 1));
+  damped_ = damping(probe).norm() > 0;
+}
+
+template <int d>
+Eigen::VectorXd LinearOperator<d>::response(const Eigen::VectorXd* a, const Eigen::VectorXd* b) {
+  const double length = solid_.cloud.spacing, speed = solid_.elastic.wave_speed();
+  for (Index n = 0; n < size(); ++n) {
+    const Index slot = solid_.bonds.slots.of(components_[n].particle);
+    state_.u[components_[n].axis][slot] = a ? (*a)[n] * length : 0.0;
+    state_.v[components_[n].axis][slot] = b ? (*b)[n] * speed : 0.0;
+  }
+  Field force = solid_.make_field(d);
+  evaluate(solid_, state_, 0.0, [&](const Block& block, BlockForce<d>& f) {
+    for (int k = 0; k < d; ++k)
+      for (Index i = block.begin(); i < block.end(); ++i) force[k][i] = f(k, i);
+  });
+  const double per_mass = length / (speed * speed * solid_.elastic.density);
+  Eigen::VectorXd result(size());
+  for (Index n = 0; n < size(); ++n)
+    result[n] = per_mass * force[components_[n].axis][solid_.bonds.slots.of(components_[n].particle)];
+  return result - at_rest_;
+}
+
+template <int d>
+Eigen::VectorXd LinearOperator<d>::stiffness(const Eigen::VectorXd& a) {
+  return -response(&a, nullptr);
+}
+
+template <int d>
+Eigen::VectorXd LinearOperator<d>::damping(const Eigen::VectorXd& b) {
+  return -response(nullptr, &b);
+}
+
+template <int d>
+Eigen::SparseMatrix<double> LinearOperator<d>::damping_matrix() {
+  Eigen::SparseMatrix<double> result(size(), size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(size());
+  double largest = 0;
+  for (Index n = 0; n < size(); ++n) {
+    unit[n] = 1;
+    const Eigen::VectorXd column = damping(unit);
+    unit[n] = 0;
+    largest = std::max(largest, column.cwiseAbs().maxCoeff());
+    for (Index m = 0; m < size(); ++m)
+      if (std::abs(column[m]) > 1e-15 * largest)
+        entries.emplace_back(static_cast<int>(m), static_cast<int>(n), column[m]);
+  }
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+template <int d>
+Eigen::SparseMatrix<double> LinearOperator<d>::stiffness_matrix() const {
+  Solid<d> solid = solid_;
+  solid.sweeps = own_sweeps_;
+  const Linearised linear = linearise(solid);
+  std::vector<Index> free;
+  for (const auto& [particle, axis] : components_) free.push_back(d * particle + axis);
+  SparseMatrix K = part_of(linear.stiffness, free, free);
+  const double unit = time_unit() * time_unit();
+  for (Index column = 0; column < K.cols(); ++column)
+    for (SparseMatrix::InnerIterator it(K, column); it; ++it)
+      it.valueRef() *= unit / linear.mass[free[it.row()]];
+  return K;
+}
+
+template <int d>
+Eigen::VectorXd LinearOperator<d>::root_masses() const {
+  const double mean = std::pow(solid_.cloud.spacing, d);
+  Eigen::VectorXd masses(size());
+  for (Index n = 0; n < size(); ++n) masses[n] = std::sqrt(solid_.cloud.V[components_[n].particle] / mean);
+  return masses;
+}
+
+template <int d>
+Eigen::MatrixXd LinearOperator<d>::rigid_motions() const {
+  constexpr int motions = d + d * (d - 1) / 2;
+  const auto& cloud = solid_.cloud;
+  const Vec<d> centre = cloud.box.origin + 0.5 * cloud.box.size;
+  const double scale = 1 / cloud.box.size.norm();
+  const auto motion = [&](const Vec<d>& X, int m) -> Vec<d> {
+    if (m < d) return Vec<d>::Unit(m);
+    const int from = m == d ? 0 : (m == d + 1 ? 0 : 1), to = m == d ? 1 : 2;  // 3D: xy, xz, yz
+    Vec<d> v = Vec<d>::Zero();
+    v[from] = -(X[to] - centre[to]) * scale;
+    v[to] = (X[from] - centre[from]) * scale;
+    return v;
+  };
+  // what the motions do to the held components must vanish
+  Eigen::MatrixXd free(size(), motions);
+  Eigen::MatrixXd held = Eigen::MatrixXd::Zero(motions, motions);
+  std::vector<std::array<bool, d>> is_free(cloud.size(), std::array<bool, d>{});
+  for (Index n = 0; n < size(); ++n) {
+    is_free[components_[n].particle][components_[n].axis] = true;
+    for (int m = 0; m < motions; ++m)
+      free(n, m) = motion(cloud.X[components_[n].particle], m)[components_[n].axis];
+  }
+  for (Index i = 0; i < cloud.size(); ++i)
+    for (int k = 0; k < d; ++k) {
+      if (is_free[i][k]) continue;
+      Eigen::VectorXd row(motions);
+      for (int m = 0; m < motions; ++m) row[m] = motion(cloud.X[i], m)[k];
+      held += row * row.transpose();
+    }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);
+  Eigen::MatrixXd allowed(motions, 0);
+  for (int m = 0; m < motions; ++m) {
+    if (svd.singularValues()[m] > 1e-10 * std::max(svd.singularValues()[0], 1e-300)) continue;
+    allowed.conservativeResize(Eigen::NoChange, allowed.cols() + 1);
+    allowed.col(allowed.cols() - 1) = svd.matrixV().col(m);
+  }
+  if (allowed.cols() == 0) return Eigen::MatrixXd(size(), 0);
+  const Eigen::MatrixXd span = free * allowed;
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(span).householderQ() *
+         Eigen::MatrixXd::Identity(size(), span.cols());
+}
+
+template class LinearOperator<2>;
+template class LinearOperator<3>;
+
+}  // namespace plumb

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/checks.hpp"
+#include "reports/results.hpp"
+#include "reports/section.hpp"
+
+namespace plumb::reports::sections {
+namespace {
+
+using Json = nlohmann::ordered_json;
+const char* const cube = "verification/scenes/free_cube.toml";
+
+Entry entry(const Json& row, const std::string& key) {
+  const Json& value = row.at(key);
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  return value.get<double>();
+}
+
+DataTable table_of(const Json& rows, const std::string& id, const std::string& title, const std::string& job,
+                   const std::vector<std::string>& swept) {
+  DataTable table{id, title, {}, {}, {job}, {}};
+  const std::vector<std::string> keys = {
+      "rigid",      "near_zero_not_rigid", "lowest_nonrigid", "lowest_smooth", "largest",
+      "stable_cfl", "complex_pairs",       "negative",        "growth_rate"};
+  for (const auto& key : swept) table.columns.push_back({key});
+  for (const auto& key : keys) table.columns.push_back({key});
+  for (const auto& row : rows) {
+    std::vector<Entry> line;
+    for (const auto& key : swept) line.push_back(entry(row, key));
+    for (const auto& key : keys) line.push_back(entry(row, key));
+    table.rows.push_back(std::move(line));
+  }
+  return table;
+}
+
+Section write(const Results& results) {
+  Section s;
+  s.question = "What do the eigenvalues of the linearised equations of motion say?";
+  const std::vector<std::pair<std::string, double>> known = {
+      {"cube-no-jst", 0.088}, {"cube-jst-64", 0.030}, {"cube-jst-8", 0.0043}};
+  const char* names[] = {"without JST", "with eta4 = 1/64", "with eta4 = 1/8"};
+  double growth = 0;
+  for (std::size_t n = 0; n < known.size(); ++n) {
+    const double measured = number(results.json(known[n].first), "growth_rate");
+    if (n == 0) growth = measured;
+    s.checks.push_back(number_check(fmt::format("growth of the symmetrised form, {} [c_p/d]", names[n]),
+                                    measured, known[n].second, 0.02, "the known values have two digits"));
+  }
+  const Json adjoint = results.json("cube-adjoint");
+  s.checks.push_back(bound_check("adjoint form: asymmetry of the operator", number(adjoint, "asymmetry"),
+                                 1e-14, "round-off"));
+  s.checks.push_back(bound_check("adjoint form: growth", number(adjoint, "growth_rate"), 1e-12, "round-off"));
+  s.answer = fmt::format(
+      "The paper's symmetrised force lets a free cube grow by exp({:.3g} t c_p/d) whatever the time step; "
+      "the "
+      "adjoint force has no growth.",
+      growth);
+  s.tables = {
+      table_of(results.json("plate-modes").at("rows"), "plate-modes",
+               "Free plate of 10 x 10 particles, adjoint force, nu = 0.3: modes of nearly no energy",
+               "plate-modes", {"method.beta", "method.gradient"}),
+      table_of(results.json("cube-forms").at("rows"), "cube-forms", "Free cube of 4^3 particles, nu = 0.495",
+               "cube-forms", {"method.momentum", "method.pair", "method.gradient"})};
+  s.notes = {
+      "Eigenvalues are (omega d/c_p)^2, rates are in c_p/d. A mode is spurious if more than half of the "
+      "motion between "
+      "neighbours is not explained by their deformation gradients; near-zero: spurious, and below a tenth of "
+      "the "
+      "lowest smooth mode. The growth without dissipation comes from a negative eigenvalue, not from a "
+      "complex one."};
+  return s;
+}
+
+}  // namespace
+
+/// Spectrum of the linearised operator.
+SectionPlan spectrum(bool) {
+  const auto job = [](const std::string& id, const std::string& scene, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"spectrum", scene};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Job{id, arguments, {scene}};
+  };
+  const std::string plate = "verification/scenes/free_plate.toml";
+  return {60,
+          "spectrum",
+          "Spectrum of the linearised operator",
+          {job("cube-no-jst", cube, {}), job("cube-jst-64", cube, {"--set", "jst.eta4=0.015625"}),
+           job("cube-jst-8", cube, {"--set", "jst.eta4=0.125"}),
+           job("cube-adjoint", cube, {"--set", "method.momentum=adjoint"}),
+           job("cube-forms", cube,
+               {"--over", "method.momentum=symmetrised,adjoint", "--over", "method.pair=W0,W1", "--over",
+                "method.gradient=standard,improved"}),
+           job("plate-modes", plate,
+               {"--over", "method.beta=0.9,1.2,1.5", "--over", "method.gradient=standard,improved"})},
+          write};
+}
+
+}  // namespace plumb::reports::sections

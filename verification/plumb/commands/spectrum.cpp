@@ -1,0 +1,174 @@
+#include "plumbline/spectrum/spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "plumb/commands.hpp"
+#include "plumb/session.hpp"
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/simulation.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SpectrumCommand {
+  std::string file;
+  std::vector<std::string> overrides;
+  std::vector<std::string> over;  ///< key=v1,v2,..
+  SpectrumOptions options;
+};
+
+/// Every combination of the values of --over, as lists of overrides.
+std::vector<std::vector<std::string>> combinations(const std::vector<std::string>& over) {
+  std::vector<std::vector<std::string>> all{{}};
+  for (const auto& entry : over) {
+    const auto equals = entry.find('=');
+    if (equals == std::string::npos || equals + 1 == entry.size())
+      throw InputError("--over \"" + entry + "\" names no values", "a key and its values are expected",
+                       "as in --over method.beta=0.9,1.2");
+    std::vector<std::vector<std::string>> next;
+    for (const auto& value : CLI::detail::split(entry.substr(equals + 1), ','))
+      for (auto set : all) {
+        set.push_back(entry.substr(0, equals + 1) + value);
+        next.push_back(std::move(set));
+      }
+    all = std::move(next);
+  }
+  return all;
+}
+
+Json modes_of(const Spectrum& s, std::size_t wanted) {
+  Json modes = Json::array();
+  for (std::size_t n = 0; n < std::min(wanted, s.low.size()); ++n)
+    modes.push_back({{"value", s.low[n].value},
+                     {"imaginary", s.low[n].imaginary},
+                     {"unexplained", s.low[n].unexplained},
+                     {"spurious", s.low[n].spurious()}});
+  return modes;
+}
+
+Json result_of(const Spectrum& s, const Scene& scene, double time_unit, std::size_t modes) {
+  const double limit = oscillation_limit(scene.method.integrator);
+  Json result{{"scene", scene.name},
+              {"unknowns", s.unknowns},
+              {"complete", s.complete},
+              {"asymmetry", s.asymmetry},
+              {"rigid", s.rigid},
+              {"rigid_residual", s.rigid_residual},
+              {"near_zero_not_rigid", s.near_zero_not_rigid},
+              {"spurious_below_smooth", s.spurious_below_smooth},
+              {"complex_pairs", s.complex_pairs},
+              {"negative", s.negative},
+              {"largest_imaginary", s.largest_imaginary},
+              {"largest", s.largest},
+              {"lowest_nonrigid", s.lowest_nonrigid},
+              {"lowest_smooth", s.lowest_smooth},
+              {"growth_rate_undamped", s.growth_undamped},
+              {"growth_rate", s.growth_known ? Json(s.growth) : Json()},
+              {"time_unit_s", time_unit},
+              {"stable_step_s", limit / std::sqrt(s.largest) * time_unit},
+              {"stable_cfl", limit / std::sqrt(s.largest)},
+              {"modes", modes_of(s, modes)}};
+  if (!s.growth_known) result["status"] = "growth_rate: the body is too large for the damped problem";
+  return result;
+}
+
+template <int d>
+Json analyse(const Scene& scene, const SpectrumOptions& options) {
+  const Simulation<d> simulation = make_simulation<d>(scene);
+  LinearOperator<d> op(simulation.solid, simulation.supports);
+  return result_of(spectrum_of(op, options), scene, op.time_unit(),
+                   static_cast<std::size_t>(options.low_modes));
+}
+
+std::string text_of(const Json& r) {
+  return fmt::format(
+      "{}: {} unknowns, {} eigenvalues; values are (omega d/c_p)^2, rates c_p/d, d/c_p = {:.4g} s\n"
+      "  rigid motions           {} (residual {:.1e})\n"
+      "  near-zero, not rigid    {} (spurious modes below the lowest smooth one: {})\n"
+      "  lowest not rigid        {:.6g}, lowest smooth {:.6g}\n"
+      "  largest                 {:.6g}: steps up to {:.4g} s, cfl {:.4g}\n"
+      "  complex pairs           {} (largest imaginary part {:.1e} of the largest), negative {}\n"
+      "  growth                  {} with dissipation, {:.6g} without\n",
+      r["scene"].get<std::string>(), r["unknowns"].get<long>(),
+      r["complete"].get<bool>() ? "all" : "the lowest and largest", r["time_unit_s"].get<double>(),
+      r["rigid"].get<int>(), r["rigid_residual"].get<double>(), r["near_zero_not_rigid"].get<int>(),
+      r["spurious_below_smooth"].get<int>(), r["lowest_nonrigid"].get<double>(),
+      r["lowest_smooth"].get<double>(), r["largest"].get<double>(), r["stable_step_s"].get<double>(),
+      r["stable_cfl"].get<double>(), r["complex_pairs"].get<int>(), r["largest_imaginary"].get<double>(),
+      r["negative"].get<int>(),
+      r["growth_rate"].is_null() ? std::string("unknown")
+                                 : fmt::format("{:.6g}", r["growth_rate"].get<double>()),
+      r["growth_rate_undamped"].get<double>());
+}
+
+/// One row per combination: the set values and the numbers, without the modes.
+Json row_of(const std::vector<std::string>& set, const Json& result) {
+  Json row;
+  for (const auto& entry : set) row[entry.substr(0, entry.find('='))] = entry.substr(entry.find('=') + 1);
+  for (const auto& [key, value] : result.items())
+    if (key != "scene" && key != "modes") row[key] = value;
+  return row;
+}
+
+int run_spectrum(const Session& session, const SpectrumCommand& command) {
+  const auto sets = combinations(command.over);
+  std::vector<Scene> scenes;
+  for (const auto& set : sets) {
+    auto overrides = command.overrides;
+    overrides.insert(overrides.end(), set.begin(), set.end());
+    scenes.push_back(read_scene(command.file, overrides));
+  }
+  Json rows = Json::array(), single;
+  Progress progress("spectrum", session.progress());
+  for (std::size_t n = 0; n < scenes.size(); ++n) {
+    const Json result = scenes[n].dimension == 2 ? analyse<2>(scenes[n], command.options)
+                                                 : analyse<3>(scenes[n], command.options);
+    rows.push_back(row_of(sets[n], result));
+    single = result;
+    progress.update(static_cast<double>(n + 1) / static_cast<double>(scenes.size()));
+  }
+  progress.finish();
+  if (command.over.empty()) {
+    session.text() << text_of(single) << std::flush;
+    session.write_csv(single["modes"]);
+    session.write_json(single);
+  } else {
+    session.write_table(rows);
+    session.write_json({{"scene", scenes.front().name}, {"rows", rows}});
+  }
+  return 0;
+}
+
+}  // namespace
+
+/// `plumb spectrum SCENE.toml`: eigenvalues of the linearised operator.
+void add_spectrum(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<SpectrumCommand>();
+  CLI::App& command = add_command(
+      program, session,
+      {"spectrum", "eigenvalues of the equations of motion, linearised about the reference state",
+       "plumb spectrum verification/scenes/free_cube.toml --over method.momentum=symmetrised,adjoint"},
+      {.table = true}, [&session, options] { return run_spectrum(session, *options); });
+  command.add_option("scene", options->file, "the scene file")->required()->type_name("SCENE.toml");
+  command.add_option("--set", options->overrides, "override a value: section.key=value")
+      ->type_name("KEY=VALUE");
+  command.add_option("--over", options->over, "several values of one key: one row each")
+      ->type_name("KEY=V1,V2,..");
+  command.add_option("--modes", options->options.low_modes, "number of low modes to list")
+      ->check(CLI::Range(1, 500))
+      ->capture_default_str();
+  command
+      .add_option("--dense", options->options.dense_limit,
+                  "unknowns up to which all eigenvalues are computed")
+      ->check(CLI::Range(3, 20000))
+      ->capture_default_str();
+}
+
+}  // namespace plumb
