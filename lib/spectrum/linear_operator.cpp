@@ -31,8 +31,9 @@ struct SmallStrain {
 
 /// Loops for linear response: the deformation is scaled freely, so J means nothing.
 template <int d>
-Sweeps<d> linear_sweeps(const Elastic& elastic, int width) {
-  Sweeps<d> sweeps = make_sweeps<d>(SmallStrain(elastic), width);
+Sweeps<d> linear_sweeps(const Elastic& elastic, const BondTable<d>& all) {
+  const SmallStrain material(elastic);
+  Sweeps<d> sweeps = all.width == 1 ? plain_sweeps<d>(material) : lattice_sweeps<d>(material, all);
   sweeps.stress = [stress = sweeps.stress](const BondTable<d>& bonds, const Field& u, const Block& block,
                                            Field& P, Field* F) {
     stress(bonds, u, block, P, F);
@@ -47,7 +48,7 @@ template <int d>
 LinearOperator<d>::LinearOperator(Solid<d> solid, const std::vector<Support<d>>& supports)
     : solid_(std::move(solid)) {
   own_sweeps_ = solid_.sweeps;
-  solid_.sweeps = linear_sweeps<d>(solid_.elastic, solid_.bonds.width);
+  solid_.sweeps = linear_sweeps<d>(solid_.elastic, solid_.bonds);
   state_ = make_state(solid_);
   std::set<std::pair<Index, int>> held;
   for (const auto& s : supports) held.insert({s.particle, s.component});
