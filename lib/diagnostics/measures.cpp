@@ -36,7 +36,10 @@ Energy energy_of(const Solid<d>& solid, const State<d>& state) {
   const double strain = sum_over_blocks(solid, [&](const Block& block) {
     return solid.sweeps.energy(solid.bonds, state.u, block, solid.volume.data());
   });
-  return {0.5 * solid.elastic.density * twice_kinetic, strain};
+  double terms = 0;
+  for (const auto& term : solid.terms)
+    if (term.energy) terms += term.energy(solid, state);
+  return {0.5 * solid.elastic.density * twice_kinetic, strain, terms};
 }
 
 template <int d>

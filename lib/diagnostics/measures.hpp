@@ -9,7 +9,8 @@ namespace plumb {
 struct Energy {
   double kinetic = 0;
   double strain = 0;
-  double total() const { return kinetic + strain; }
+  double terms = 0;  ///< of the optional terms that have one (hourglass energy)
+  double total() const { return kinetic + strain + terms; }
 };
 
 /// Three components also in 2D, where p_z = 0 and only L_z is not zero. Angular momentum about the origin.

@@ -2,6 +2,7 @@
 
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/catalogue.hpp"
+#include "plumbline/solid/make_sweeps.hpp"
 
 namespace plumb {
 

@@ -1,14 +1,13 @@
 #pragma once
-#include <complex>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "plumbline/solid/lattice_sweeps.hpp"
+#include "plumbline/gradient/bond_table.hpp"
+#include "plumbline/material/material.hpp"
 #include "plumbline/solid/state.hpp"
-#include "plumbline/solid/sweeps.hpp"
 
 namespace plumb {
 
@@ -29,11 +28,16 @@ struct Term {
   std::size_t bytes = 0;  ///< of its own arrays
   /// Runs with the stress; may read displacement and velocity of any slot and write the term's own arrays.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
+  /// Adds to the stress of the block's own slots, after the material has set it: what is carried by the same
+  /// bonds as the stress costs no second gather.
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, Field& P)> stress;
   /// Adds to the force per unit reference volume; may read the term's own arrays, and the state only if
   /// needs_state.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
   bool needs_state = false;  ///< `second` reads the state of other slots: forces are stored before the update
   bool needs_F = false;      ///< the deformation gradient is stored
+  /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
+  std::function<double(const Solid<d>&, const State<d>&)> energy;
   /// Adds -dforce/du x volume at the reference state (linearise.hpp); empty: the term has no stiffness.
   std::function<void(const Solid<d>&, std::vector<StiffnessEntry>&)> stiffness;
 };
@@ -41,20 +45,6 @@ struct Term {
 /// dP_ab/dF_ce [Pa] at row a d + b, column c d + e.
 template <int d>
 using Tangent = Eigen::Matrix<double, d * d, d * d>;
-
-/// By complex step (exact to round-off): Im P(F + i s D) / s has no cancellation, so that s may be tiny.
-template <int d, MaterialModel<d> M>
-Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
-  constexpr double step = 1e-100;
-  Tangent<d> tangent;
-  for (int n = 0; n < d * d; ++n) {
-    Mat<d, std::complex<double>> Fs = F.template cast<std::complex<double>>();
-    Fs(n / d, n % d) += std::complex<double>(0, step);
-    const Mat<d, std::complex<double>> P = material.first_piola(Fs);
-    for (int m = 0; m < d * d; ++m) tangent(m, n) = P(m / d, m % d).imag() / step;
-  }
-  return tangent;
-}
 
 /// The loops for one material and one kind of table, chosen once.
 template <int d>
@@ -103,51 +93,6 @@ struct Solid {
   Field make_field(int components) const { return {components, bonds.slots.count(), bonds.margin}; }
 };
 
-/// The loops of material M over rows of single particles.
-template <int d, MaterialModel<d> M>
-Sweeps<d> plain_sweeps(const M& material) {
-  Sweeps<d> s;
-  s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P, Field* F) {
-    const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
-    return stress_sweep<d, 1>(material, gradient, block, P, F);
-  };
-  s.energy = [material](const BondTable<d>& bonds, const Field& u, const Block& block, const double* volume) {
-    const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
-    return energy_sweep<d, 1>(material, gradient, block, volume);
-  };
-  s.force = &force_sweep<d, 1>;
-  s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
-  return s;
-}
-
-/// The loops of material M over the shared rows of a lattice.
-template <int d, MaterialModel<d> M>
-Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
-  constexpr int W = native_width;
-  const auto table = std::make_shared<const LatticeTable<d>>(make_lattice_table(all));
-  Sweeps<d> s;
-  s.stress = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P,
-                               Field* F) {
-    const auto gradient = [&](Index pack) {
-      return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
-    };
-    return stress_sweep<d, W>(material, gradient, block, P, F);
-  };
-  s.energy = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block,
-                               const double* volume) {
-    const auto gradient = [&](Index pack) {
-      return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
-    };
-    return energy_sweep<d, W>(material, gradient, block, volume);
-  };
-  s.force = [table](const BondTable<d>&, const Field& P, const Block& block, BlockForce<d>& force) {
-    lattice_force_sweep<d, W>(*table, P, block, force);
-  };
-  s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
-  s.bytes = table->bytes();
-  return s;
-}
-
 /// The loops of the material of that name; InputError names the nearest valid one.
 template <int d>
 Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds);
@@ -180,8 +125,10 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
   for (Index b = 0; b < blocks; ++b) {
     const Block block = solid.block(b);
     sound = solid.sweeps.stress(solid.bonds, state.u, block, solid.P, F) && sound;
-    for (const auto& term : solid.terms)
+    for (const auto& term : solid.terms) {
       if (term.first) term.first(solid, block, state, time);
+      if (term.stress) term.stress(solid, block, state, solid.P);
+    }
   }
   solid.work.particle_evaluations += solid.bonds.slots.particles;
   solid.work.pair_evaluations += solid.bonds.pairs;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "plumbline/solid/make_sweeps.hpp"
+
 namespace plumb {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/solid/sweeps.hpp"
 
 namespace plumb {
 namespace {

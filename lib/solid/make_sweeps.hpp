@@ -1,0 +1,72 @@
+#pragma once
+#include <complex>
+#include <memory>
+
+#include "plumbline/solid/lattice_sweeps.hpp"
+#include "plumbline/solid/solid.hpp"
+#include "plumbline/solid/sweeps.hpp"
+
+/// The loops behind Sweeps, made for a material. Apart from solid.hpp, so that only who makes loops compiles
+/// them.
+namespace plumb {
+
+/// By complex step (exact to round-off): Im P(F + i s D) / s has no cancellation, so that s may be tiny.
+template <int d, MaterialModel<d> M>
+Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
+  constexpr double step = 1e-100;
+  Tangent<d> tangent;
+  for (int n = 0; n < d * d; ++n) {
+    Mat<d, std::complex<double>> Fs = F.template cast<std::complex<double>>();
+    Fs(n / d, n % d) += std::complex<double>(0, step);
+    const Mat<d, std::complex<double>> P = material.first_piola(Fs);
+    for (int m = 0; m < d * d; ++m) tangent(m, n) = P(m / d, m % d).imag() / step;
+  }
+  return tangent;
+}
+
+/// The loops of material M over rows of single particles.
+template <int d, MaterialModel<d> M>
+Sweeps<d> plain_sweeps(const M& material) {
+  Sweeps<d> s;
+  s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P, Field* F) {
+    const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
+    return stress_sweep<d, 1>(material, gradient, block, P, F);
+  };
+  s.energy = [material](const BondTable<d>& bonds, const Field& u, const Block& block, const double* volume) {
+    const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
+    return energy_sweep<d, 1>(material, gradient, block, volume);
+  };
+  s.force = &force_sweep<d, 1>;
+  s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
+  return s;
+}
+
+/// The loops of material M over the shared rows of a lattice.
+template <int d, MaterialModel<d> M>
+Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
+  constexpr int W = native_width;
+  const auto table = std::make_shared<const LatticeTable<d>>(make_lattice_table(all));
+  Sweeps<d> s;
+  s.stress = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P,
+                               Field* F) {
+    const auto gradient = [&](Index pack) {
+      return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
+    };
+    return stress_sweep<d, W>(material, gradient, block, P, F);
+  };
+  s.energy = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block,
+                               const double* volume) {
+    const auto gradient = [&](Index pack) {
+      return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
+    };
+    return energy_sweep<d, W>(material, gradient, block, volume);
+  };
+  s.force = [table](const BondTable<d>&, const Field& P, const Block& block, BlockForce<d>& force) {
+    lattice_force_sweep<d, W>(*table, P, block, force);
+  };
+  s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
+  s.bytes = table->bytes();
+  return s;
+}
+
+}  // namespace plumb
