@@ -107,6 +107,7 @@ std::optional<Output> read_output(const Section& root, const Body& body) {
   if (!section) return std::nullopt;
   Output output;
   output.every = section->optional_number("every", quantity::time, Sign::positive);
+  output.checkpoint = section->optional_number("checkpoint", quantity::time, Sign::positive);
   output.vtk = section->flag_or("vtk", output.vtk);
   output.series = section->flag_or("series", output.series);
   for (const auto& part : section->sections("probe")) {

@@ -108,8 +108,10 @@ struct Probe {
 /// [output]: nothing is written that is not asked for.
 struct Output {
   std::optional<double> every;  ///< [s]; nullopt: the first and the last state only
-  bool vtk = false;             ///< particles as .vtp with a .pvd
-  bool series = false;          ///< energies, momenta and probes against time as CSV
+  std::optional<double>
+      checkpoint;       ///< [s] between files to resume from; they are also kept at every early end
+  bool vtk = false;     ///< particles as .vtp with a .pvd
+  bool series = false;  ///< energies, momenta and probes against time as CSV
   std::vector<Probe> probes;
 };
 

@@ -10,14 +10,31 @@ namespace {
 
 constexpr std::array<std::string_view, 5> cause_names = {"non-finite", "inverted", "energy-growth",
                                                          "time-step-collapse", "hourglass"};
-/// The energy is looked at every so many steps; an explosion multiplies it by far more than any bound in
-/// between.
-constexpr long steps_between_energy_checks = 20;
+/// Energy and hourglass share are looked at every so many steps; an explosion multiplies the energy by far
+/// more than any bound in between.
+constexpr long steps_between_checks = 20;
 
 Failure unsound(const UnsoundParticle& found, double time, long step) {
   const bool finite = std::isfinite(found.determinant);
   return {time,       step, finite ? Cause::inverted : Cause::non_finite, found.particle, found.determinant,
           "J = det F"};
+}
+
+/// Whether the body as a whole has left its bounds.
+template <int d>
+std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& state, const StepControl& control,
+                                     double initial_energy) {
+  if (control.energy_bound) {
+    const double energy = energy_of(solid, state).total();
+    if (!(energy <= (1 + *control.energy_bound) * initial_energy))
+      return Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
+  }
+  if (control.hourglass_bound) {
+    const double share = hourglass_share(solid, state);
+    if (!(share <= *control.hourglass_bound))
+      return Failure{state.time, state.step, Cause::hourglass, -1, share, "hourglass share"};
+  }
+  return std::nullopt;
 }
 
 template <int d>
@@ -48,10 +65,11 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
 
 template <int d>
 RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe) {
+              const Observer<d>& observe, const std::optional<RunSoFar>& so_far) {
   RunResult result;
-  const double energy_limit =
-      control.energy_bound ? (1 + *control.energy_bound) * energy_of(solid, state).total() : 0;
+  if (so_far) result.dt = so_far->dt;
+  double initial_energy = so_far ? so_far->initial_energy : 0;
+  if (!so_far && control.energy_bound) initial_energy = energy_of(solid, state).total();
   result.stopped = observe && !observe(solid, state);
   while (!result.stopped && !finished(state, control)) {
     double dt = time_step(solid, state, control);
@@ -67,13 +85,9 @@ RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const
       break;
     }
     if (!last || result.dt.first == 0) result.dt.count(dt);  // the cut step says nothing about stability
-    if (control.energy_bound && state.step % steps_between_energy_checks == 0) {
-      const double energy = energy_of(solid, state).total();
-      if (!(energy <= energy_limit)) {
-        result.failure = Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
-        break;
-      }
-    }
+    if (state.step % steps_between_checks == 0)
+      result.failure = out_of_bounds(solid, state, control, initial_energy);
+    if (result.failure) break;
     result.stopped = observe && !observe(solid, state);
   }
   return result;
@@ -81,7 +95,9 @@ RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const
 
 template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
 template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl&);
-template RunResult run<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, const Observer<2>&);
-template RunResult run<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, const Observer<3>&);
+template RunResult run<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, const Observer<2>&,
+                          const std::optional<RunSoFar>&);
+template RunResult run<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, const Observer<3>&,
+                          const std::optional<RunSoFar>&);
 
 }  // namespace plumb

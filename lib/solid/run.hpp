@@ -20,6 +20,8 @@ struct StepControl {
   /// A step below this share of the first one counts as collapsed: a body whose spacing shrinks a
   /// thousandfold somewhere has lost its particles' order there, and would not end in reasonable time.
   double collapse = 1e-3;
+  /// Unstable if the hourglass share (THEORY (8.4)) exceeds this; looked at as often as the energy.
+  std::optional<double> hourglass_bound;
 };
 
 enum class Cause { non_finite, inverted, energy_growth, time_step_collapse, hourglass };
@@ -46,6 +48,12 @@ struct RunResult {
   bool completed() const { return !failure && !stopped; }
 };
 
+/// What a continued run has behind it: its bounds refer to the first state, not to the one it continues from.
+struct RunSoFar {
+  StepStatistics dt;
+  double initial_energy;  ///< total [J]
+};
+
 /// Called at the start and after every step; false stops the run.
 template <int d>
 using Observer = std::function<bool(const Solid<d>&, const State<d>&)>;
@@ -57,6 +65,6 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
 /// Steps until the end. On failure the state is the last good one.
 template <int d>
 RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe = {});
+              const Observer<d>& observe = {}, const std::optional<RunSoFar>& so_far = {});
 
 }  // namespace plumb

@@ -11,7 +11,8 @@ namespace plumb {
 
 /// Advances a body by dt. `step` returns false if the deformation became unsound (J <= 0 or not a number);
 /// the state is then the one before the step. `order` is the order in dt that the scheme claims; a test
-/// measures it. A new integrator is one file in integrators/.
+/// measures it. A new integrator is one file in integrators/. One that carries something from step to step
+/// beside the state has `carried` and `carry` as in Stepper, or a continued run differs.
 template <class S, int d>
 concept Integrator = std::constructible_from < S,
         const Solid<d>
@@ -31,6 +32,10 @@ struct Stepper {
   int evaluations_per_step;
   std::size_t bytes;
   std::function<bool(Solid<d>&, State<d>&, double dt)> step;
+  /// What it carries from step to step beside the state; null before the first step. Empty: it carries
+  /// nothing.
+  std::function<const Field*()> carried = {};
+  std::function<void(const Field&)> carry = {};  ///< takes that of an earlier run, to continue it
 };
 
 template <int d>
@@ -42,6 +47,10 @@ Stepper<d> stepper_named(std::string_view name, const Solid<d>& solid) {
     const auto s = std::make_shared<S>(solid);
     stepper = {S::name, S::order, S::evaluations_per_step, s->bytes(),
                [s](Solid<d>& body, State<d>& state, double dt) { return s->step(body, state, dt); }};
+    if constexpr (requires { s->carried(); }) {
+      stepper.carried = [s] { return s->carried(); };
+      stepper.carry = [s](const Field& field) { s->carry(field); };
+    }
   });
   if (!known) throw unknown_name("integrator", name, names_of(IntegratorCatalogue{}));
   return stepper;

@@ -19,6 +19,13 @@ struct Verlet {
 
     explicit Stepper(const Solid<d>& solid) : a_(solid.make_field(d)) {}
     std::size_t bytes() const { return a_.bytes(); }
+    /// The acceleration [m/s^2] that the last step ended with. With terms that depend on the velocity it
+    /// cannot be found again from the state: it was evaluated at the velocity of half a step before.
+    const Field* carried() const { return started_ ? &a_ : nullptr; }
+    void carry(const Field& acceleration) {
+      a_ = acceleration;
+      started_ = true;
+    }
 
     bool step(Solid<d>& solid, State<d>& state, double dt) {
       if (!started_ && !accelerate(solid, state, 0)) return false;
