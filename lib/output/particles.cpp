@@ -7,6 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
 
 namespace plumb {
@@ -115,6 +116,19 @@ std::string ParticleSeries::file_name(std::size_t number) const {
 void ParticleSeries::write(const ParticleFrame& frame) {
   replace_file(folder_ / file_name(times_.size()), vtp_text(frame));
   times_.push_back(frame.time);
+  write_index();
+}
+
+void ParticleSeries::resume(std::vector<double> times) {
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (!std::filesystem::exists(folder_ / file_name(k)))
+      throw InputError(fmt::format("{} cannot be continued", index_file().string()),
+                       fmt::format("there is no {}", file_name(k)), "start the run anew, without --resume");
+  times_ = std::move(times);
+  write_index();
+}
+
+void ParticleSeries::write_index() const {
   std::string index =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";

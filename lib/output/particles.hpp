@@ -37,11 +37,17 @@ class ParticleSeries {
   /// Writes the next file of the series. Throws OutputError; what was written before stays readable.
   void write(const ParticleFrame& frame);
 
+  /// Continues a series that another run left with these times; later files of it will be replaced.
+  /// InputError if one of them is not there.
+  void resume(std::vector<double> times);
+  const std::vector<double>& times() const { return times_; }
+
   std::filesystem::path index_file() const { return folder_ / (name_ + ".pvd"); }
   std::size_t size() const { return times_.size(); }
 
  private:
   std::string file_name(std::size_t number) const;
+  void write_index() const;
 
   std::filesystem::path folder_;
   std::string name_;

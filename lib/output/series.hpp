@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -13,6 +14,9 @@ class CsvSeries {
  public:
   /// Starts the file anew.
   CsvSeries(const std::filesystem::path& file, const std::vector<std::string>& columns);
+  /// Continues a file that another run left: cuts it to its first `bytes` bytes. Throws InputError if it is
+  /// shorter or has other columns.
+  CsvSeries(const std::filesystem::path& file, const std::vector<std::string>& columns, std::int64_t bytes);
   ~CsvSeries();
   CsvSeries(const CsvSeries&) = delete;
   CsvSeries& operator=(const CsvSeries&) = delete;
@@ -20,6 +24,8 @@ class CsvSeries {
   /// Adds one line with 17 significant digits. std::invalid_argument if the number of values is not that of
   /// columns.
   void append(std::span<const double> values);
+  /// Flushes what there is to the disk; the number of bytes.
+  std::int64_t flush();
 
  private:
   void add_line(const std::string& line);

@@ -114,6 +114,37 @@ void drop_alternatives(TomlValue& section, const std::string& path, const Altern
   }
 }
 
+/// A value that is neither array nor table, without ends of line and tabs.
+std::string short_text(const TomlValue& value) {
+  switch (value.kind) {
+    case TomlValue::Kind::boolean:
+      return value.flag ? "true" : "false";
+    case TomlValue::Kind::integer:
+      return std::to_string(value.whole);
+    case TomlValue::Kind::real:
+      return fmt::format("{:.17g}", value.number);
+    default:
+      break;
+  }
+  std::string text = value.text;
+  for (char& c : text)
+    if (c == '\t' || c == '\n') c = ' ';
+  return "\"" + text + "\"";
+}
+
+void add_settings(const TomlValue& value, const std::string& key,
+                  std::map<std::string, std::string>& settings) {
+  const bool table = value.is(TomlValue::Kind::table);
+  if (!table && !value.is(TomlValue::Kind::array)) {
+    settings[key] = short_text(value);
+    return;
+  }
+  if (value.items.empty()) settings[key] = table ? "{}" : "[]";
+  for (std::size_t k = 0; k < value.items.size(); ++k)
+    add_settings(value.items[k],
+                 key + (key.empty() ? "" : ".") + (table ? value.names[k] : std::to_string(k)), settings);
+}
+
 /// Applies one "section.key=value"; returns its path.
 std::string apply_override(TomlValue& root, const std::string& text, const Alternatives& alternatives,
                            const std::vector<std::string>& overridden) {
@@ -190,6 +221,12 @@ TomlValue parse_document(const std::string& text, const std::string& file_name,
   for (const auto& change : overrides)
     overridden.push_back(apply_override(root, change, alternatives, overridden));
   return root;
+}
+
+std::map<std::string, std::string> settings_of(const TomlValue& document) {
+  std::map<std::string, std::string> settings;
+  add_settings(document, "", settings);
+  return settings;
 }
 
 std::string read_text(const std::string& path) {

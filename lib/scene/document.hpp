@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ using Alternatives = std::vector<std::vector<std::string>>;
 TomlValue parse_document(const std::string& text, const std::string& file_name,
                          const std::vector<std::string>& overrides = {},
                          const Alternatives& alternatives = {});
+
+/// Every setting by its dotted key ("boundary.0.kind") as text, numbers with all their digits: two documents
+/// that differ in comments, order or layout only give the same.
+std::map<std::string, std::string> settings_of(const TomlValue& document);
 
 /// The whole text of a file. Throws SceneError if it cannot be read.
 std::string read_text(const std::string& path);

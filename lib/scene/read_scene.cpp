@@ -55,6 +55,11 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   return scene;
 }
 
+std::map<std::string, std::string> scene_settings(const std::string& path,
+                                                  const std::vector<std::string>& overrides) {
+  return settings_of(parse_document(read_text(path), path, overrides, scene_alternatives()));
+}
+
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   return parse_scene(read_text(path), path, overrides);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace plumb {
 /// the other way round; likewise method.cfl and method.time_step, initial.velocity and initial.spin. Throws
 /// SceneError (an InputError): "FILE:LINE: key: problem (why) suggestion".
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Every setting of the file with its overrides, by dotted key (settings_of in document.hpp): what a
+/// checkpoint and a cache compare.
+std::map<std::string, std::string> scene_settings(const std::string& path,
+                                                  const std::vector<std::string>& overrides = {});
 
 /// The same from text; `file_name` is for messages.
 Scene parse_scene(const std::string& text, const std::string& file_name,

@@ -23,10 +23,10 @@ Failure unsound(const UnsoundParticle& found, double time, long step) {
 /// Whether the body as a whole has left its bounds.
 template <int d>
 std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& state, const StepControl& control,
-                                     double initial_energy) {
+                                     const RunHistory& history) {
   if (control.energy_bound) {
     const double energy = energy_of(solid, state).total();
-    if (!(energy <= (1 + *control.energy_bound) * initial_energy))
+    if (!(energy <= (1 + *control.energy_bound) * *history.initial_energy))
       return Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
   }
   if (control.hourglass_bound) {
@@ -65,15 +65,14 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
 
 template <int d>
 RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, const std::optional<RunSoFar>& so_far) {
+              const Observer<d>& observe, RunHistory& history) {
   RunResult result;
-  if (so_far) result.dt = so_far->dt;
-  double initial_energy = so_far ? so_far->initial_energy : 0;
-  if (!so_far && control.energy_bound) initial_energy = energy_of(solid, state).total();
+  if (control.energy_bound && !history.initial_energy)
+    history.initial_energy = energy_of(solid, state).total();
   result.stopped = observe && !observe(solid, state);
   while (!result.stopped && !finished(state, control)) {
     double dt = time_step(solid, state, control);
-    if (!(dt > control.collapse * result.dt.first)) {
+    if (!(dt > control.collapse * history.dt.first)) {
       const Cause cause = std::isfinite(dt) ? Cause::time_step_collapse : Cause::non_finite;
       result.failure = Failure{state.time, state.step, cause, -1, dt, "time step"};
       break;
@@ -84,20 +83,21 @@ RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const
       result.failure = unsound(solid.unsound, state.time, state.step);
       break;
     }
-    if (!last || result.dt.first == 0) result.dt.count(dt);  // the cut step says nothing about stability
+    if (!last || history.dt.first == 0) history.dt.count(dt);  // the cut step says nothing about stability
     if (state.step % steps_between_checks == 0)
-      result.failure = out_of_bounds(solid, state, control, initial_energy);
+      result.failure = out_of_bounds(solid, state, control, history);
     if (result.failure) break;
     result.stopped = observe && !observe(solid, state);
   }
+  result.dt = history.dt;
   return result;
 }
 
 template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
 template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl&);
 template RunResult run<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, const Observer<2>&,
-                          const std::optional<RunSoFar>&);
+                          RunHistory&);
 template RunResult run<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, const Observer<3>&,
-                          const std::optional<RunSoFar>&);
+                          RunHistory&);
 
 }  // namespace plumb

@@ -48,10 +48,11 @@ struct RunResult {
   bool completed() const { return !failure && !stopped; }
 };
 
-/// What a continued run has behind it: its bounds refer to the first state, not to the one it continues from.
-struct RunSoFar {
+/// What lies behind a run, kept up to date for its observer. A continued run starts from that of the run
+/// before: bounds refer to the very first state and the very first step.
+struct RunHistory {
   StepStatistics dt;
-  double initial_energy;  ///< total [J]
+  std::optional<double> initial_energy;  ///< total [J]; filled in by run() if a bound needs it
 };
 
 /// Called at the start and after every step; false stops the run.
@@ -65,6 +66,14 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
 /// Steps until the end. On failure the state is the last good one.
 template <int d>
 RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe = {}, const std::optional<RunSoFar>& so_far = {});
+              const Observer<d>& observe, RunHistory& history);
+
+/// The same for a run that begins here.
+template <int d>
+RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+              const Observer<d>& observe = {}) {
+  RunHistory none;
+  return run(solid, state, stepper, control, observe, none);
+}
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -42,6 +43,7 @@ int run(CLI::App& program, plumb::Session& session, int count, char** arguments)
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a write error with a message, not a death
   try {
     plumb::Session session;
     session.command_line = plumb::shell_line({arguments + std::min(count, 1), arguments + count});

@@ -8,6 +8,8 @@
 #include <ostream>
 
 #include "plumb/commands.hpp"
+#include "plumb/provenance.hpp"
+#include "plumb/run/checkpoints.hpp"
 #include "plumb/run/interrupt.hpp"
 #include "plumb/run/recorder.hpp"
 #include "plumb/run/scene_options.hpp"
@@ -21,6 +23,7 @@ namespace {
 struct RunOptions {
   SceneOptions scene;
   std::string folder;
+  bool resume = false;
 };
 
 double wall_time() {
@@ -48,44 +51,82 @@ double fraction_done(const StepControl& control, const State<d>& state) {
   return fraction;
 }
 
-/// Runs the steps, recording on the way; adds the time they took.
+/// Time that passes while it lives, added to the time of a run that may have been continued.
+class Stopwatch {
+ public:
+  explicit Stopwatch(Timing& timing) : timing_(timing), before_(timing) {}
+  void read() const {
+    timing_.wall = before_.wall + wall_time() - wall_;
+    timing_.cpu = before_.cpu + cpu_time() - cpu_;
+  }
+
+ private:
+  Timing& timing_;
+  Timing before_;
+  double wall_ = wall_time(), cpu_ = cpu_time();
+};
+
+/// Runs the steps, recording on the way. What an early end leaves can be continued.
 template <int d>
-RunResult advance(const Session& session, const Scene& scene, Simulation<d>& simulation,
-                  Recorder<d>& recorder, Timing& timing) {
+RunResult advance(const Session& session, const Scene& scene, Simulation<d>& simulation, RunBook& book,
+                  Recorder<d>& recorder, Checkpoints<d>* checkpoints) {
   const InterruptGuard guard;
   Progress progress(scene.name, session.progress());
-  const double wall = wall_time(), cpu = cpu_time();
+  const Stopwatch watch(book.timing);
+  const auto keep = [&] {
+    watch.read();
+    checkpoints->write(simulation, book, recorder.mark());
+  };
   const auto observe = [&](const Solid<d>& solid, const State<d>& state) {
     recorder.observe(solid, state);
+    if (checkpoints && checkpoints->due(state.time)) keep();
     progress.update(fraction_done(simulation.control, state),
                     fmt::format("t = {:.4g} s, step {}", state.time, state.step));
     return !interrupted();
   };
-  const RunResult result =
-      run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control, observe);
-  timing.wall = wall_time() - wall;
-  timing.cpu = cpu_time() - cpu;
+  const RunResult result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
+                                  observe, book.history);
+  // before the recorder's last row, which a run that goes on would not have
+  if (checkpoints && !result.completed()) keep();
+  watch.read();
   recorder.finish(simulation.solid, simulation.state);
   return result;
 }
 
+/// The checkpoint that --resume continues; none without it, and then an old one is taken away.
+std::optional<Checkpoint> starting_point(const RunOptions& options, const std::filesystem::path& file,
+                                         const std::map<std::string, std::string>& settings) {
+  if (!options.resume) return std::nullopt;
+  Checkpoint checkpoint = read_checkpoint(file);
+  require_same_origin(checkpoint, version_text(), settings, file.string());
+  return checkpoint;
+}
+
 template <int d>
 int run_scene(const Session& session, const Scene& scene, const RunOptions& options, double start) {
-  const bool keeps_files = scene.output || !options.folder.empty();
+  const bool keeps_files = scene.output || options.resume || !options.folder.empty();
   const std::filesystem::path folder = options.folder.empty() ? default_folder(scene) : options.folder;
   if (keeps_files) require_folder(folder, "--out");
+  const auto settings = settings_of(options.scene);
+  const auto file = folder / "checkpoint.h5";
+  const auto from = starting_point(options, file, settings);
   Simulation<d> simulation = make_simulation<d>(scene);
   for (const auto& warning : simulation.warnings) session.warn(warning);
-  Recorder<d> recorder(scene, folder, simulation.solid);
-  const Energy energy = energy_of(simulation.solid, simulation.state);
-  const Momentum momentum = momentum_of(simulation.solid, simulation.state);
-  Timing timing{.setup = wall_time() - start};
-  const RunResult result = advance(session, scene, simulation, recorder, timing);
-  const FinishedRun<d> finished{scene, simulation, result, recorder.probes(), energy, momentum, timing};
+  RunBook book = from ? restore(*from, simulation) : begin_book(simulation);
+  if (keeps_files && !from) std::filesystem::remove(file);
+  Recorder<d> recorder(scene, folder, simulation.solid, from ? std::optional(from->recorder) : std::nullopt);
+  std::optional<Checkpoints<d>> checkpoints;
+  if (keeps_files) {
+    std::filesystem::create_directories(folder);
+    checkpoints.emplace(file, scene.output.value_or(Output{}).checkpoint, version_text(), settings);
+  }
+  book.timing.setup = wall_time() - start;
+  const RunResult result =
+      advance(session, scene, simulation, book, recorder, checkpoints ? &*checkpoints : nullptr);
+  const FinishedRun<d> finished{scene, simulation, result, recorder.probes(), book};
   const auto json = summary(finished);
   session.text() << summary_text(finished);
   if (keeps_files) {
-    std::filesystem::create_directories(folder);
     session.write_json_file(json, folder / "summary.json");
     session.text() << "  files in " << folder.string() << '\n';
   }
@@ -111,6 +152,8 @@ void add_run(CLI::App& program, Session& session) {
   command
       .add_option("--out", options->folder, "folder for series, particles and summary (default: out/NAME)")
       ->type_name("DIR");
+  command.add_flag("--resume", options->resume,
+                   "continue from the checkpoint in that folder, with the same bits as if never stopped");
 }
 
 }  // namespace plumb

@@ -23,14 +23,22 @@ void add_values(std::vector<double>& row, const Vec<d>& v) {
 }  // namespace
 
 template <int d>
-Recorder<d>::Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid)
+Recorder<d>::Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid,
+                      const std::optional<RecorderMark>& from)
     : output_(scene.output.value_or(Output{})),
       material_(scene.material),
       folder_(std::move(folder)),
       probes_(bind_probes<d>(output_.probes, solid.cloud)) {
   if (output_.vtk || output_.series) std::filesystem::create_directories(folder_);
-  if (output_.series) series_ = std::make_unique<CsvSeries>(folder_ / "series.csv", columns());
+  const auto series = folder_ / "series.csv";
+  if (output_.series)
+    series_ = from ? std::make_unique<CsvSeries>(series, columns(), from->series_bytes)
+                   : std::make_unique<CsvSeries>(series, columns());
   if (output_.vtk) particles_.emplace(folder_, "particles");
+  if (!from) return;
+  if (particles_) particles_->resume(from->particle_times);
+  next_ = static_cast<long>(from->next);
+  recorded_ = static_cast<long>(from->recorded);
 }
 
 template <int d>
@@ -90,6 +98,13 @@ void Recorder<d>::record_series(const Solid<d>& solid, const State<d>& state) {
     add_values<d>(row, vector_at<d>(state.v, slot));
   }
   series_->append(row);
+}
+
+template <int d>
+RecorderMark Recorder<d>::mark() const {
+  RecorderMark mark{next_, recorded_, series_ ? series_->flush() : 0, {}};
+  if (particles_) mark.particle_times = particles_->times();
+  return mark;
 }
 
 template <int d>

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "plumb/run/probe.hpp"
+#include "plumbline/output/checkpoint.hpp"
 #include "plumbline/output/particles.hpp"
 #include "plumbline/output/series.hpp"
 
@@ -16,13 +17,18 @@ namespace plumb {
 template <int d>
 class Recorder {
  public:
-  /// Makes the folder if something is to be written; nothing else yet.
-  Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid);
+  /// Makes the folder if something is to be written. `from`: the files are those of an earlier run and are
+  /// continued from there; else they are begun anew.
+  Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid,
+           const std::optional<RecorderMark>& from = {});
 
   /// Records the state if its time has come. For the run's observer.
   void observe(const Solid<d>& solid, const State<d>& state);
   /// Records the last state of a run unless that has been done.
   void finish(const Solid<d>& solid, const State<d>& state);
+
+  /// How far the files have come, flushed to the disk.
+  RecorderMark mark() const;
 
   const std::vector<BoundProbe>& probes() const { return probes_; }
   std::vector<std::filesystem::path> files() const;

@@ -46,4 +46,8 @@ Scene scene_of(const SceneOptions& options) {
   return scene;
 }
 
+std::map<std::string, std::string> settings_of(const SceneOptions& options) {
+  return scene_settings(options.file, options.overrides);
+}
+
 }  // namespace plumb

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 /// Reads the scene and refuses one that needs more memory than the machine has, before any of it is taken.
 /// Throws InputError.
 Scene scene_of(const SceneOptions& options);
+
+/// All settings of the scene with its overrides, by dotted key.
+std::map<std::string, std::string> settings_of(const SceneOptions& options);
 
 /// f.template operator()<d>() for the dimension d of the scene: the one place that chooses it.
 template <class F>

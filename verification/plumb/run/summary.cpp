@@ -74,7 +74,7 @@ Json energy_json(const Energy& now, const Energy& before) {
 template <int d>
 Json momentum_json(const FinishedRun<d>& run) {
   const Momentum now = momentum_of(run.simulation.solid, run.simulation.state);
-  const Drifts drift = drifts(now, run.initial_momentum);
+  const Drifts drift = drifts(now, run.book.initial_momentum);
   return {{"linear_momentum", std::vector<double>(now.linear.begin(), now.linear.begin() + d)},
           {"angular_momentum", now.angular},
           {"linear_drift", drift.linear},
@@ -90,28 +90,28 @@ Json summary(const FinishedRun<d>& run) {
   const Extent<d> extent = extent_of(run.simulation.solid, run.simulation.state);
   const Work& work = run.simulation.solid.work;
   const auto& dt = run.result.dt;
-  Json json{
-      {"scene", run.scene.name},
-      {"dimension", d},
-      {"particles", particles},
-      {"neighbours",
-       {{"mean", static_cast<double>(bonds.pairs) / static_cast<double>(particles)},
-        {"max", bonds.most_neighbours}}},
-      {"status", status_of(run.result)},
-      {"steps", run.simulation.state.step},
-      {"time", run.simulation.state.time},
-      {"dt", {{"first", dt.first}, {"min", dt.least}, {"max", dt.most}, {"last", dt.last}}},
-      {"energy", energy_json(energy_of(run.simulation.solid, run.simulation.state), run.initial_energy)}};
+  Json json{{"scene", run.scene.name},
+            {"dimension", d},
+            {"particles", particles},
+            {"neighbours",
+             {{"mean", static_cast<double>(bonds.pairs) / static_cast<double>(particles)},
+              {"max", bonds.most_neighbours}}},
+            {"status", status_of(run.result)},
+            {"steps", run.simulation.state.step},
+            {"time", run.simulation.state.time},
+            {"dt", {{"first", dt.first}, {"min", dt.least}, {"max", dt.most}, {"last", dt.last}}},
+            {"energy",
+             energy_json(energy_of(run.simulation.solid, run.simulation.state), run.book.initial_energy)}};
   json.update(momentum_json(run));
   json["extent"] = {{"min", list<d>(extent.lower)}, {"max", list<d>(extent.upper)}};
   json["hourglass_share"] = hourglass_share(run.simulation.solid, run.simulation.state);
   json["probes"] = probes_json(run);
   json["failure"] = failure_json(run.result.failure);
   json["timing"] = {
-      {"setup_s", run.timing.setup},
-      {"wall_s", run.timing.wall},
-      {"cpu_s", run.timing.cpu},
-      {"particle_evaluations_per_s", static_cast<double>(work.particle_evaluations) / run.timing.wall}};
+      {"setup_s", run.book.timing.setup},
+      {"wall_s", run.book.timing.wall},
+      {"cpu_s", run.book.timing.cpu},
+      {"particle_evaluations_per_s", static_cast<double>(work.particle_evaluations) / run.book.timing.wall}};
   json["work"] = {{"particle_evaluations", work.particle_evaluations},
                   {"pair_evaluations", work.pair_evaluations}};
   const auto bytes = static_cast<double>(total_bytes(arrays_of(run.simulation)));
@@ -126,20 +126,21 @@ Json summary(const FinishedRun<d>& run) {
 template <int d>
 std::string summary_text(const FinishedRun<d>& run) {
   const Energy energy = energy_of(run.simulation.solid, run.simulation.state);
-  const Drifts drift = drifts(momentum_of(run.simulation.solid, run.simulation.state), run.initial_momentum);
+  const Drifts drift =
+      drifts(momentum_of(run.simulation.solid, run.simulation.state), run.book.initial_momentum);
   const Extent<d> extent = extent_of(run.simulation.solid, run.simulation.state);
   const char* unit = d == 2 ? "J/m" : "J";
   std::string text = fmt::format("{}: {} at {:.6g} s, {} steps, {} particles, {} + {} set-up\n",
                                  run.scene.name, status_of(run.result), run.simulation.state.time,
                                  run.simulation.state.step, run.simulation.solid.cloud.size(),
-                                 duration_text(run.timing.wall), duration_text(run.timing.setup));
+                                 duration_text(run.book.timing.wall), duration_text(run.book.timing.setup));
   if (const auto& failure = run.result.failure) {
     text += fmt::format("  {}: {} = {:.6g}", name_of(failure->cause), failure->quantity, failure->value);
     if (failure->particle >= 0) text += fmt::format(" at particle {}", failure->particle);
     text += fmt::format(", step {}, t = {:.9g} s\n", failure->step, failure->time);
   }
   text += fmt::format("  energy {:.9g} {} (kinetic {:.6g}, strain {:.6g}; at the start {:.9g})\n",
-                      energy.total(), unit, energy.kinetic, energy.strain, run.initial_energy.total());
+                      energy.total(), unit, energy.kinetic, energy.strain, run.book.initial_energy.total());
   text += fmt::format(
       "  drift of linear momentum {:.3g}, of angular momentum {:.3g}, relative to the initial scale\n",
       drift.linear, drift.angular);

@@ -2,18 +2,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "plumb/run/checkpoints.hpp"
 #include "plumb/run/probe.hpp"
-#include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
-
-/// Seconds that a run took. CPU time counts all threads.
-struct Timing {
-  double setup = 0;  ///< wall time of reading and building [s]
-  double wall = 0;   ///< wall time of the steps [s]
-  double cpu = 0;    ///< CPU time of the steps [s]
-};
 
 /// Everything that the summary of a run is made of.
 template <int d>
@@ -22,9 +15,7 @@ struct FinishedRun {
   const Simulation<d>& simulation;  ///< with the last good state
   const RunResult& result;
   const std::vector<BoundProbe>& probes;
-  Energy initial_energy;
-  Momentum initial_momentum;
-  Timing timing;
+  const RunBook& book;
 };
 
 /// The summary as in interface.md, plus "hourglass_share" (THEORY (8.4)). The drifts are distances from the

@@ -1,0 +1,168 @@
+#include "plumbline/output/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/output/file.hpp"
+#include "plumbline/output/hdf5_image.hpp"
+#include "plumbline/output/sealed.hpp"
+
+namespace plumb {
+namespace {
+
+/// One "key<tab>value" a line; neither holds a tab or an end of line.
+std::string text_of(const std::map<std::string, std::string>& scene) {
+  std::string text;
+  for (const auto& [key, value] : scene) text += key + "\t" + value + "\n";
+  return text;
+}
+
+std::map<std::string, std::string> scene_of(const std::string& text) {
+  std::map<std::string, std::string> scene;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto tab = line.find('\t');
+    if (tab == std::string::npos) throw InputError("a line of the scene has no key", "", "");
+    scene[line.substr(0, tab)] = line.substr(tab + 1);
+  }
+  return scene;
+}
+
+bool finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+void require_consistent(const Checkpoint& c) {
+  const auto require = [](bool holds, const char* problem) {
+    if (!holds) throw InputError(problem, "", "");
+  };
+  require(c.dimension == 2 || c.dimension == 3, "the dimension is not 2 or 3");
+  require(!c.displacement.empty() && c.displacement.size() % static_cast<std::size_t>(c.dimension) == 0,
+          "there are no particles");
+  require(c.velocity.size() == c.displacement.size(), "displacement and velocity differ in size");
+  require(c.carried.empty() || c.carried.size() == c.displacement.size(),
+          "the integrator's data differ in size");
+  require(is_finite(c), "the state is not finite");
+  require(c.step >= 0, "the step is negative");
+}
+
+void write(const Hdf5Image& file, const Checkpoint& c) {
+  const auto d = static_cast<std::size_t>(c.dimension);
+  file.write("program", c.program);
+  file.write("scene", text_of(c.scene));
+  file.write("dimension and step", std::vector<std::int64_t>{c.dimension, c.step});
+  file.write("time", std::vector<double>{c.time});
+  file.write("displacement", c.displacement, d);
+  file.write("velocity", c.velocity, d);
+  if (!c.carried.empty()) file.write("integrator", c.carried, d);
+  file.write("time steps", std::vector<double>{c.dt.first, c.dt.least, c.dt.most, c.dt.last});
+  const Energy& e = c.initial_energy;
+  file.write("initial energy", std::vector<double>{e.kinetic, e.strain, e.terms});
+  const Momentum& p = c.initial_momentum;
+  file.write("initial momentum",
+             std::vector<double>{p.linear[0], p.linear[1], p.linear[2], p.angular[0], p.angular[1],
+                                 p.angular[2], p.linear_scale, p.angular_scale});
+  file.write("work", std::vector<std::int64_t>{c.work.particle_evaluations, c.work.pair_evaluations});
+  file.write("seconds", std::vector<double>{c.wall, c.cpu});
+  const RecorderMark& r = c.recorder;
+  file.write("recorder", std::vector<std::int64_t>{r.next, r.recorded, r.series_bytes});
+  if (!r.particle_times.empty()) file.write("particle times", r.particle_times);
+}
+
+Checkpoint read(const Hdf5Image& file) {
+  Checkpoint c;
+  c.program = file.text("program");
+  c.scene = scene_of(file.text("scene"));
+  const auto whole = file.integers("dimension and step", 2);
+  c.dimension = whole[0], c.step = whole[1];
+  c.time = file.numbers("time", 1)[0];
+  c.displacement = file.numbers("displacement");
+  c.velocity = file.numbers("velocity");
+  if (file.has("integrator")) c.carried = file.numbers("integrator");
+  const auto dt = file.numbers("time steps", 4);
+  c.dt = {dt[0], dt[1], dt[2], dt[3]};
+  const auto e = file.numbers("initial energy", 3);
+  c.initial_energy = {e[0], e[1], e[2]};
+  const auto p = file.numbers("initial momentum", 8);
+  c.initial_momentum = {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6], p[7]};
+  const auto work = file.integers("work", 2);
+  c.work = {work[0], work[1]};
+  const auto seconds = file.numbers("seconds", 2);
+  c.wall = seconds[0], c.cpu = seconds[1];
+  const auto r = file.integers("recorder", 3);
+  c.recorder = {r[0], r[1], r[2], {}};
+  if (file.has("particle times")) c.recorder.particle_times = file.numbers("particle times");
+  return c;
+}
+
+/// "material.young is 18 MPa here and 17 MPa there", one for each setting that differs.
+std::vector<std::string> differences(const std::map<std::string, std::string>& here,
+                                     const std::map<std::string, std::string>& there) {
+  std::vector<std::string> found;
+  for (const auto& [key, value] : here) {
+    const auto other = there.find(key);
+    if (other == there.end())
+      found.push_back(fmt::format("{} = {} is not in it", key, value));
+    else if (other->second != value)
+      found.push_back(fmt::format("{} is {} here and {} there", key, value, other->second));
+  }
+  for (const auto& [key, value] : there)
+    if (!here.contains(key)) found.push_back(fmt::format("it has {} = {}", key, value));
+  return found;
+}
+
+}  // namespace
+
+bool is_finite(const Checkpoint& c) {
+  return finite(c.displacement) && finite(c.velocity) && finite(c.carried) && std::isfinite(c.time);
+}
+
+std::string bytes_of(const Checkpoint& checkpoint) {
+  Hdf5Image file;
+  write(file, checkpoint);
+  return sealed(file.bytes());
+}
+
+Checkpoint checkpoint_of(std::string_view bytes, const std::string& name) {
+  try {
+    Checkpoint checkpoint = read(Hdf5Image(unsealed(bytes)));
+    require_consistent(checkpoint);
+    return checkpoint;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} cannot be used: {}", name, error.problem()), error.why(),
+                     "start the run anew, without --resume");
+  }
+}
+
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
+  replace_file(file, bytes_of(checkpoint));
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream content;
+  if (std::filesystem::is_regular_file(file)) content << in.rdbuf();
+  if (!in || content.view().empty())
+    throw InputError(fmt::format("there is no checkpoint {}", file.string()),
+                     std::strerror(errno ? errno : ENOENT), "start the run without --resume");
+  return checkpoint_of(content.view(), file.string());
+}
+
+void require_same_origin(const Checkpoint& checkpoint, const std::string& program,
+                         const std::map<std::string, std::string>& scene, const std::string& name) {
+  const std::string anew = "start the run anew, without --resume";
+  if (checkpoint.program != program)
+    throw InputError(name + " was written by another version",
+                     fmt::format("{}; this is {}", checkpoint.program, program), anew);
+  const auto found = differences(scene, checkpoint.scene);
+  if (!found.empty()) throw InputError(name + " belongs to another scene", join(found, "; "), anew);
+}
+
+}  // namespace plumb

@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/solid/run.hpp"
+
+namespace plumb {
+
+/// How far the files of a run had come, so that they can be continued with the same bytes.
+struct RecorderMark {
+  std::int64_t next = 0;               ///< number of the next multiple of the output interval
+  std::int64_t recorded = -1;          ///< step of the last state recorded
+  std::int64_t series_bytes = 0;       ///< length of the series
+  std::vector<double> particle_times;  ///< of the particle files [s]
+};
+
+/// Everything that a run needs to go on bit for bit, particle after particle, d numbers each: the same for
+/// any number of threads.
+struct Checkpoint {
+  std::string program;                       ///< version and build; other builds may give other bits
+  std::map<std::string, std::string> scene;  ///< every setting of the scene, by its dotted key
+  std::int64_t dimension = 0, step = 0;
+  double time = 0;                   ///< [s]
+  std::vector<double> displacement;  ///< [m]
+  std::vector<double> velocity;      ///< [m/s]
+  std::vector<double> carried;       ///< by the integrator; empty if it carries nothing
+  StepStatistics dt;
+  Energy initial_energy;
+  Momentum initial_momentum;
+  Work work;
+  double wall = 0, cpu = 0;  ///< seconds spent so far
+  RecorderMark recorder;
+};
+
+/// Whether all numbers of the state are finite; one that is not cannot be read back.
+bool is_finite(const Checkpoint& checkpoint);
+
+/// The file's content: 512 bytes of text with length and CRC-64 of what follows, then an HDF5 file. HDF5
+/// itself skips such a block, so h5dump and others read the file as it is.
+std::string bytes_of(const Checkpoint& checkpoint);
+
+/// Reads it back. The checksum is compared before HDF5 sees a byte. Throws InputError if the bytes are cut
+/// off, changed, no checkpoint, or do not fit together; `name` is the file's, for the message.
+Checkpoint checkpoint_of(std::string_view bytes, const std::string& name);
+
+/// Replaces the file as a whole (replace_file): whatever happens, the old or the new content is there.
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+/// Throws InputError that names the differences if the checkpoint is of another scene or another build.
+void require_same_origin(const Checkpoint& checkpoint, const std::string& program,
+                         const std::map<std::string, std::string>& scene, const std::string& name);
+
+}  // namespace plumb
