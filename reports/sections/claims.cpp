@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "reports/results.hpp"
+#include "reports/section.hpp"
+
+namespace plumb::reports::sections {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::pair<std::string, std::string>> parts{
+    {"4", "Sections 4 and 6: the deformation gradient"},
+    {"5.1", "Section 5.1: swinging plate"},
+    {"5.2", "Section 5.2: spinning plate and cube"},
+    {"5.3", "Section 5.3: bending column"},
+    {"5.4", "Section 5.4: pulling column"},
+    {"5.5", "Section 5.5: twisting column"}};
+/// Sections in which no claim may be left open.
+const std::vector<std::string> closed{"4", "5.1", "5.2", "5.3"};
+
+/// The part of the ledger that a claim at "5.3, Table 1" belongs to; what section 6 says stands with 4.
+std::string part_of(const Json& claim) {
+  const std::string where = text(claim, "where");
+  return where.front() == '5' ? where.substr(0, 3) : "4";
+}
+
+/// "name: value" of all readings, those in which the claim holds marked.
+std::string readings_of(const Json& claim) {
+  std::string out;
+  for (const auto& reading : claim.at("readings"))
+    out += fmt::format("{}{}{}", out.empty() ? "" : "; ", text(reading, "name"),
+                       reading.at("holds").get<bool>() ? " (holds)" : "");
+  return out;
+}
+
+DataTable table_of(const std::string& part, const std::string& title) {
+  std::string id = "claims-" + part;
+  for (char& c : id)
+    if (c == '.') c = '-';
+  return {id,
+          title,
+          {{"where"},
+           {"claim"},
+           {"published"},
+           {"ours"},
+           {"status"},
+           {"readings, the chosen one first"},
+           {"why"},
+           {"evidence"}},
+          {},
+          {"claims"},
+          {}};
+}
+
+Section write(const Results& results) {
+  const Json result = results.json("claims");
+  Section s;
+  s.question = "Which numbers and comparisons of sections 4 and 5 of the paper are reproduced?";
+  std::map<std::string, int> count, open;
+  for (const auto& [part, title] : parts) {
+    DataTable table = table_of(part, title);
+    for (const auto& claim : result.at("claims")) {
+      if (part_of(claim) != part) continue;
+      const std::string status = text(claim, "status");
+      ++count[status];
+      open[part] += status == "open" ? 1 : 0;
+      table.rows.push_back({text(claim, "where"), text(claim, "claim"), text(claim, "published"),
+                            text(claim, "ours"), status, readings_of(claim), text(claim, "finding"),
+                            text(claim, "evidence")});
+    }
+    s.tables.push_back(std::move(table));
+  }
+  const auto all = result.at("claims").size();
+  s.answer = fmt::format(
+      "Of {} claims {} are reproduced in every reading tried, {} in some readings only (ambiguous), {} are "
+      "contradicted and {} are open.",
+      all, count["reproduced"], count["ambiguous"], count["contradicted"], count["open"]);
+  s.checks.push_back({"claims in the ledger", "at least 40", fmt::format("{}", all), pass_if(all >= 40)});
+  for (const auto& part : closed)
+    s.checks.push_back(
+        {"open claims of section " + part, "0", fmt::format("{}", open[part]), pass_if(open[part] == 0)});
+  s.notes = {
+      "A claim is reproduced if it holds in every reading of what the paper leaves open, ambiguous if it "
+      "holds "
+      "in some, contradicted if it holds in none of at least three and a second, independent line of "
+      "evidence "
+      "says the same, and open otherwise.",
+      "ctest -L claims measures the quick numbers again and fails when one of them, or a status, has changed "
+      "(plumb claims --check; with --long all of them)."};
+  return s;
+}
+
+}  // namespace
+
+/// The ledger of the claims of paper 000.
+SectionPlan claims(bool) {
+  const std::string folder = "verification/claims/000-";
+  Job job{"claims", {"claims"}, {}};
+  for (const auto& [part, title] : parts) job.inputs.push_back(folder + part + ".toml");
+  return {900, "claims", "Ledger of the paper's claims", {job}, write};
+}
+
+}  // namespace plumb::reports::sections

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/support/program.hpp"
+
+// The ledger of claims and what guards it. The numbers themselves are measured again by ctest -L claims.
+namespace plumb {
+namespace {
+
+using Json = nlohmann::json;
+const std::string root = PLUMBLINE_SOURCE_DIR;
+
+Json ledger() {
+  const auto outcome = test::run_plumb("claims --json - --quiet");
+  EXPECT_EQ(outcome.code, 0) << outcome.error;
+  return Json::parse(outcome.out).at("claims");
+}
+
+/// A ledger of one claim: the slope of X^2 at the first particle is wrong by 0.197 with the standard
+/// estimate.
+test::Outcome check(const std::string& status, double value, const std::string& more = "") {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "one.toml")
+      << "paper = \"000\"\n[[claim]]\nid = \"one\"\nwhere = \"4.1\"\nclaim = \"exact\"\n"
+      << "published = \"0\"\nat_most = 1e-9\nstatus = \"" << status << "\"\n"
+      << more << "[[claim.reading]]\nname = \"W1\"\nat = \"rows/estimator=standard;n=40/max\"\n"
+      << "command = \"oned study --n 20,40 --field poly:1,0,1 --estimator standard\"\n"
+      << "value = " << value << "\n";
+  return test::run_plumb("claims --check --json - --ledger " + folder.path().string() + " --store " +
+                         (folder / "store").string());
+}
+
+TEST(Ledger, HasFortyRowsAndNoneOpenInTheClosedSections) {
+  const Json claims = ledger();
+  EXPECT_GE(claims.size(), 40u);
+  for (const auto& claim : claims) {
+    const std::string where = claim.at("where"), status = claim.at("status");
+    const bool closed = std::regex_search(where, std::regex("^(4|5\\.[123])"));
+    EXPECT_FALSE(closed && status == "open") << claim.at("id");
+    for (const char* key : {"paper", "claim", "published", "ours", "evidence"})
+      EXPECT_FALSE(claim.at(key).get<std::string>().empty()) << claim.at("id") << ": " << key;
+  }
+}
+
+TEST(Ledger, WhatIsNotReproducedHasThreeReadingsAndSecondEvidence) {
+  for (const auto& claim : ledger()) {
+    const std::string status = claim.at("status");
+    if (status == "reproduced") continue;
+    EXPECT_GE(claim.at("readings").size(), status == "contradicted" ? 3u : 2u) << claim.at("id");
+    EXPECT_FALSE(claim.at("finding").get<std::string>().empty()) << claim.at("id");
+    const std::string evidence = claim.at("evidence");
+    EXPECT_TRUE(status != "contradicted" || evidence.find("besides") != std::string::npos) << claim.at("id");
+  }
+}
+
+TEST(Ledger, NamesTestsThatExist) {
+  std::string sources;
+  for (const char* folder : {"/tests", "/verification/studies"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root + folder))
+      if (entry.path().extension() == ".cpp") sources += test::content_of(entry.path());
+  for (const auto& claim : ledger())
+    for (const auto& reading : claim.at("readings")) {
+      std::string name = reading.at("test");
+      if (name.empty()) continue;
+      name = name.starts_with("study:") ? "\"" + name.substr(7) + "\""
+                                        : std::regex_replace(name, std::regex("\\."), ", ");
+      EXPECT_NE(sources.find(name), std::string::npos) << claim.at("id") << " " << name;
+    }
+}
+
+TEST(Ledger, AChangedNumberFailsTheCheck) {
+  const auto right = check("open", 0.196962), wrong = check("open", 0.19);
+  EXPECT_EQ(right.code, 0) << right.out << right.error;
+  EXPECT_EQ(wrong.code, 1) << wrong.error;
+  EXPECT_NE(wrong.error.find("0.19 is recorded"), std::string::npos) << wrong.error;
+}
+
+TEST(Ledger, AStatusThatDoesNotFollowIsRefused) {
+  for (const char* status : {"reproduced", "ambiguous", "contradicted"}) {
+    const auto outcome = check(status, 0.196962, "second_evidence = \"by hand\"\n");
+    EXPECT_EQ(outcome.code, 2) << status;
+    EXPECT_NE(outcome.error.find("does not follow"), std::string::npos) << outcome.error;
+  }
+}
+
+TEST(Ledger, ANumberThatTurnsTheStatusFailsTheCheck) {
+  // recorded as exact, within a tolerance so wide that only the status can tell
+  const auto outcome = check("reproduced", 1e-15, "finding = \"planted\"\n");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.error.find("the numbers make it \"open\""), std::string::npos) << outcome.error;
+}
+
+TEST(Ledger, AWidthOfHalfASpacingIsRefused) {
+  const auto outcome = test::run_plumb(
+      "explain " + root + "/verification/scenes/pulling-column-nu-45.toml --set method.beta=0.5");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.error.find("neighbours"), std::string::npos) << outcome.error;
+}
+
+}  // namespace
+}  // namespace plumb

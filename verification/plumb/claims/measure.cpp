@@ -1,0 +1,111 @@
+#include "plumb/claims/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/algorithm/string.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "plumbline/core/error.hpp"
+
+namespace plumb::claims {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Recorded numbers below this are zero.
+constexpr double round_off = 1e-15;
+
+std::vector<std::string> split_at(const std::string& text, const char* separator) {
+  std::vector<std::string> parts;
+  boost::split(parts, text, boost::is_any_of(separator));
+  return parts;
+}
+
+/// Whether an object has every entry of "key=value;key=value".
+bool has_entries(const Json& object, const std::vector<std::string>& wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& entry) {
+    const auto equals = entry.find('=');
+    const auto found = object.find(entry.substr(0, equals));
+    if (found == object.end()) return false;
+    return (found->is_string() ? found->get<std::string>() : found->dump()) == entry.substr(equals + 1);
+  });
+}
+
+const Json* step_into(const Json& from, const std::string& step) {
+  if (from.is_object()) return from.contains(step) ? &from.at(step) : nullptr;
+  if (!from.is_array()) return nullptr;
+  if (step.find('=') == std::string::npos) {
+    const std::size_t index = std::strtoul(step.c_str(), nullptr, 10);
+    return index < from.size() ? &from[index] : nullptr;
+  }
+  const auto wanted = split_at(step, ";");
+  const auto found =
+      std::find_if(from.begin(), from.end(), [&](const Json& object) { return has_entries(object, wanted); });
+  return found == from.end() ? nullptr : &*found;
+}
+
+/// The product of the numbers at the paths "a/b * c/d".
+double number_at(const Json& result, const std::string& paths) {
+  double product = 1;
+  for (auto path : split_at(paths, "*")) {
+    boost::trim(path);
+    const Json& entry = entry_at(result, path);
+    if (!entry.is_number())
+      throw InputError(fmt::format("\"{}\" is {}", path, entry.dump()), "a number is wanted",
+                       "see the command's JSON");
+    product *= entry.get<double>();
+  }
+  return product;
+}
+
+}  // namespace
+
+const Json& entry_at(const Json& result, const std::string& path) {
+  const Json* at = &result;
+  for (const auto& step : split_at(path, "/")) {
+    at = step_into(*at, step);
+    if (!at)
+      throw InputError(fmt::format("nothing at \"{}\" of \"{}\"", step, path), "the result has no such entry",
+                       "see the command's JSON");
+  }
+  return *at;
+}
+
+double measured(const Reading& reading, const RunCommand& run) {
+  const Json result = run(reading.command);
+  if (!reading.is.empty()) return entry_at(result, reading.at) == reading.is ? 1 : 0;
+  double value = reading.times * number_at(result, reading.at);
+  if (!reading.over.empty())
+    value /= number_at(reading.over_command.empty() ? result : run(reading.over_command), reading.over);
+  return value;
+}
+
+CheckResult check(const std::vector<Claim>& claims, bool long_too, const RunCommand& run,
+                  const std::function<void(double, const std::string&)>& progress) {
+  CheckResult result;
+  for (std::size_t n = 0; n < claims.size(); ++n) {
+    const Claim& claim = claims[n];
+    progress(static_cast<double>(n) / static_cast<double>(claims.size()), claim.id);
+    std::vector<double> values;
+    for (const Reading& reading : claim.readings) {
+      values.push_back(reading.value);
+      if (!reading.test.empty() || (reading.long_run && !long_too)) continue;
+      const double value = values.back() = measured(reading, run);
+      const double size = std::max(std::abs(reading.value), round_off);
+      const bool same = std::abs(value - reading.value) <= reading.tolerance * size;
+      result.readings.push_back({&claim, &reading, value, same});
+      if (!same)
+        result.changes.push_back(fmt::format("{}, {}: {:.8g} is recorded, {:.8g} was measured", claim.id,
+                                             reading.name, reading.value, value));
+    }
+    const Status status = status_of(claim, values);
+    if (status != claim.status)
+      result.changes.push_back(fmt::format("{}: \"{}\" is recorded, the numbers make it \"{}\"", claim.id,
+                                           name_of(claim.status), name_of(status)));
+  }
+  return result;
+}
+
+}  // namespace plumb::claims

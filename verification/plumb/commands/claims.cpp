@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <boost/algorithm/string.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "plumb/claims/measure.hpp"
+#include "plumb/commands.hpp"
+#include "plumb/session.hpp"
+#include "plumbline/core/error.hpp"
+#include "reports/run/store.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct ClaimsOptions {
+  fs::path ledger = PLUMBLINE_SOURCE_DIR "/verification/claims";
+  fs::path root = PLUMBLINE_SOURCE_DIR;
+  fs::path store;
+  bool check = false, long_too = false;
+};
+
+/// "2/3 inside: 0.667; first particle: 0.122" for one claim.
+std::string found_text(const claims::Claim& claim) {
+  std::string text;
+  for (const auto& r : claim.readings)
+    text += fmt::format("{}{}: {:.6g}{}", text.empty() ? "" : "; ", r.name, r.value,
+                        claim.unit.empty() ? "" : " " + claim.unit);
+  return text;
+}
+
+std::string evidence_text(const claims::Claim& claim) {
+  const claims::Reading& chosen = claim.readings.front();
+  std::string text = chosen.test.empty() ? "plumb " + chosen.command : "test \"" + chosen.test + "\"";
+  if (!claim.second_evidence.empty()) text += "; besides: " + claim.second_evidence;
+  return text;
+}
+
+Json json_of(const claims::Claim& claim) {
+  Json readings = Json::array();
+  for (const auto& r : claim.readings)
+    readings.push_back({{"name", r.name},
+                        {"value", r.value},
+                        {"holds", claim.holds_for(r.value)},
+                        {"command", r.command},
+                        {"test", r.test},
+                        {"long", r.long_run}});
+  return {{"id", claim.id},
+          {"paper", claim.paper},
+          {"where", claim.where},
+          {"claim", claim.claim},
+          {"published", claim.published},
+          {"ours", found_text(claim)},
+          {"status", name_of(claim.status)},
+          {"finding", claim.finding},
+          {"evidence", evidence_text(claim)},
+          {"picture", claim.picture},
+          {"chosen", claim.readings.front().name},
+          {"readings", readings}};
+}
+
+/// Runs a command of the ledger once and keeps its JSON; a run writes into the store's folder.
+claims::RunCommand runner(const ClaimsOptions& options, int threads) {
+  const auto store = std::make_shared<reports::run::Store>(options.store, fs::canonical("/proc/self/exe"),
+                                                           fs::canonical(options.root), threads);
+  return [store](const std::string& command) {
+    reports::Job job{"claim", {}, {}};
+    boost::split(job.arguments, command, boost::is_any_of(" "), boost::token_compress_on);
+    for (const auto& word : job.arguments)
+      if (boost::ends_with(word, ".toml")) job.inputs.push_back(word);
+    if (job.arguments.front() == "run")
+      job.arguments.insert(job.arguments.end(), {"--set", "output.vtk=false", "--out", "{out}"});
+    const reports::JobResult result = store->get(job);
+    if (!result.failure.empty()) throw InputError("plumb " + command, result.failure, "correct the ledger");
+    return Json::parse(reports::run::content_of(result.folder / "result.json"));
+  };
+}
+
+int check_claims(const Session& session, const ClaimsOptions& options,
+                 const std::vector<claims::Claim>& ledger, Json& result) {
+  Progress progress("claims", session.progress());
+  const auto checked =
+      claims::check(ledger, options.long_too, runner(options, session.threads),
+                    [&](double share, const std::string& id) { progress.update(share, id); });
+  progress.finish();
+  Json measured = Json::array();
+  for (const auto& r : checked.readings)
+    measured.push_back({{"id", r.claim->id},
+                        {"reading", r.reading->name},
+                        {"recorded", r.reading->value},
+                        {"measured", r.value},
+                        {"same", r.same}});
+  result["measured"] = measured;
+  result["changes"] = checked.changes;
+  for (const auto& change : checked.changes) std::cerr << "plumb: " << change << '\n';
+  session.text() << fmt::format("{} numbers measured again, {} changes\n", checked.readings.size(),
+                                checked.changes.size());
+  return checked.changes.empty() ? 0 : 1;
+}
+
+int run_claims(const Session& session, const ClaimsOptions& options) {
+  const auto ledger = claims::read_ledger(options.ledger);
+  Json rows = Json::array(), count = Json::object();
+  for (const auto& claim : ledger) {
+    rows.push_back(json_of(claim));
+    const std::string status(name_of(claim.status));
+    count[status] = count.value(status, 0) + 1;
+    session.text() << fmt::format("{:12} {} {}: {} [{}]\n             {}\n", status, claim.paper, claim.where,
+                                  claim.claim, claim.published, found_text(claim));
+  }
+  for (const auto& [status, number] : count.items())
+    session.text() << fmt::format("{} {}\n", number.get<int>(), status);
+  Json result{{"claims", rows}, {"count", count}};
+  const int code = options.check ? check_claims(session, options, ledger, result) : 0;
+  Json flat = rows;
+  for (auto& row : flat) row.erase("readings");
+  session.write_csv(flat);
+  session.write_json(result);
+  return code;
+}
+
+}  // namespace
+
+/// `plumb claims`: the ledger of the papers' claims.
+void add_claims(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<ClaimsOptions>();
+  options->store = fs::temp_directory_path() / "plumb-claims";
+  CLI::App& command =
+      add_command(program, session,
+                  {"claims", "what the papers say, what was found, and whether it is reproduced",
+                   "plumb claims --json -"},
+                  {.table = true}, [&session, options] { return run_claims(session, *options); });
+  command.add_flag("--check", options->check, "measure the numbers again; exit code 1 if one has changed");
+  command.add_flag("--long", options->long_too, "with --check: those that take minutes too");
+  command.add_option("--ledger", options->ledger, "folder of the ledger")->type_name("DIR");
+  command.add_option("--root", options->root, "folder that the commands are run in")->type_name("DIR");
+  command.add_option("--store", options->store, "keeps results, so that each is computed once")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
+}  // namespace plumb
