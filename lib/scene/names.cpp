@@ -24,6 +24,9 @@ std::vector<std::string> gradient_names() {
   return names;
 }
 
+std::vector<std::string> start_table_names() {
+  return {"standard", "improved"};
+}
 std::vector<std::string> momentum_names() {
   return names_of(MomentumCatalogue{});
 }

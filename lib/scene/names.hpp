@@ -10,6 +10,8 @@ std::vector<std::string> pair_names();
 /// Estimators fit for a run: all but the plain bond one, which does not converge, and "compatible" (a
 /// projected table).
 std::vector<std::string> gradient_names();
+/// Estimators whose table can be made compatible.
+std::vector<std::string> start_table_names();
 std::vector<std::string> momentum_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> wave_speed_names();

@@ -21,7 +21,22 @@ MaterialChoice read_material(const Section& section) {
   return material;
 }
 
-Method read_method(const Section& root) {
+namespace {
+
+Compatible read_compatible(const Section& root, const Method& method) {
+  Compatible compatible;
+  const auto section = root.optional_section("compatible");
+  if (!section) return compatible;
+  if (method.gradient != "compatible")
+    section->fail("", fmt::format("contradicts gradient = \"{}\"", method.gradient),
+                  "it says how the table of gradient = \"compatible\" is made", "leave one of them out");
+  compatible.start = section->choice_or("start", compatible.start, start_table_names());
+  compatible.volumes = section->choice_or("volumes", compatible.volumes, {"unknown", "fixed"});
+  section->reject_unknown();
+  return compatible;
+}
+
+Method read_method_section(const Section& root) {
   Method method;
   const auto section = root.optional_section("method");
   if (!section) return method;
@@ -43,6 +58,14 @@ Method read_method(const Section& root) {
   if (cfl) method.cfl = cfl;
   if (method.time_step) method.cfl = std::nullopt;
   section->reject_unknown();
+  return method;
+}
+
+}  // namespace
+
+Method read_method(const Section& root) {
+  Method method = read_method_section(root);
+  method.compatible = read_compatible(root, method);
   return method;
 }
 

@@ -24,8 +24,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name :
-       {"scene", "body", "material", "method", "jst", "hourglass", "initial", "boundary", "output"})
+  for (const char* name : {"scene", "body", "material", "method", "compatible", "jst", "hourglass", "initial",
+                           "boundary", "output"})
     root.has(name);
   root.reject_unknown();
   Scene scene;

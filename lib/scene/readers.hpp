@@ -10,7 +10,7 @@ namespace plumb {
 /// (studies). `dimension` 0: as many as body.size has.
 Body read_body(const Section& section, int dimension, bool with_lattice);
 MaterialChoice read_material(const Section& section);
-/// Defaults if the section is absent.
+/// [method] and [compatible]. Defaults if a section is absent.
 Method read_method(const Section& root);
 std::optional<Jst> read_jst(const Section& root);
 std::optional<Hourglass> read_hourglass(const Section& root);

@@ -40,6 +40,12 @@ struct MaterialChoice {
   double density = 0.0;  ///< rho of the reference [kg/m^3] > 0, required
 };
 
+/// [compatible]: how the table of gradient = "compatible" is made (THEORY chapter 11).
+struct Compatible {
+  std::string start = "improved";   ///< standard | improved: the table that is projected
+  std::string volumes = "unknown";  ///< unknown | fixed: volumes found with the area vectors, or Voronoi's
+};
+
 /// [method]: the scheme. The defaults are the ones method.md proposes for users: the adjoint force needs no
 /// dissipation to be stable, so velocity Verlet with one evaluation a step serves. Paper mode is symmetrised,
 /// rk3 and a [jst] section.
@@ -48,6 +54,7 @@ struct Method {
   double beta = 0.9;        ///< h/d: the least neighbours with no near-zero modes (method.md, section 1)
   std::string pair = "W1";  ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
   std::string gradient = "improved";  ///< standard | improved | bond38 | compatible
+  Compatible compatible;              ///< of gradient = "compatible" only
   std::string momentum = "adjoint";   ///< symmetrised (22) | adjoint: energy and angular momentum exact
   std::string integrator = "verlet";  ///< rk3 | verlet
   std::optional<double> cfl =

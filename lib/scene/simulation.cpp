@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "plumbline/compatible/compatible.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 
 namespace plumb {
@@ -130,7 +131,13 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   options.kernel = kernel_named<d>(scene.method.kernel);
   options.smoothing_length = scene.method.beta * spacing;
   options.pair = pair_named(scene.method.pair);
-  options.estimator = estimator_named<d>(scene.method.gradient);
+  const bool compatible = scene.method.gradient == "compatible";
+  options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
+  if (compatible) {
+    CompatibleOptions<d> how;
+    if (scene.method.compatible.volumes == "fixed") how.volume_weight = 0;
+    project_compatible(options, how);
+  }
   options.momentum = momentum_form_named<d>(scene.method.momentum);
   if (scene.jst) {
     options.laplacian = true;

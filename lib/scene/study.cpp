@@ -59,7 +59,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides, const std::vector<std::string>& solutions) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name : {"study", "expect", "body", "material", "method", "jst", "hourglass"})
+  for (const char* name : {"study", "expect", "body", "material", "method", "compatible", "jst", "hourglass"})
     root.has(name);
   root.reject_unknown();
   Study study;

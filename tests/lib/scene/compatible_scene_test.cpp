@@ -1,0 +1,50 @@
+// gradient = "compatible" and its section [compatible] in scenes.
+#include <gtest/gtest.h>
+
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/simulation.hpp"
+
+namespace plumb {
+namespace {
+
+std::string scene_with(const std::string& gradient, const std::string& more = "") {
+  return "[scene]\ndimension = 2\nmax_steps = 1\n[body]\nsize = [1, 1]\nspacing = 0.2\njitter = 0.2\n"
+         "[material]\nyoung = 1e6\npoisson = 0.3\ndensity = 1000\n[method]\ngradient = \"" +
+         gradient + "\"\n" + more;
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_scene(text, "test.toml");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(CompatibleScene, IsBuiltWithEitherMomentumFormAndEitherTreatmentOfVolumes) {
+  for (const char* momentum : {"adjoint", "symmetrised"})
+    for (const char* volumes : {"unknown", "fixed"})
+      for (const char* start : {"standard", "improved"}) {
+        const Scene scene =
+            parse_scene(scene_with("compatible", std::string("[compatible]\nvolumes = \"") + volumes +
+                                                     "\"\nstart = \"" + start + "\"\n"),
+                        "test.toml", {std::string("method.momentum=") + momentum});
+        EXPECT_EQ(scene.method.compatible.volumes, volumes);
+        EXPECT_EQ(scene.method.compatible.start, start);
+        const auto simulation = make_simulation<2>(scene);
+        EXPECT_EQ(simulation.solid.cloud.size(), 36);
+      }
+}
+
+TEST(CompatibleScene, ErrorsNameTheNearestKeyAndValue) {
+  EXPECT_NE(message_of(scene_with("compatible", "[compatible]\nvolume = \"fixed\"\n")).find("volumes"),
+            std::string::npos);
+  EXPECT_NE(message_of(scene_with("compatible", "[compatible]\nstart = \"improve\"\n")).find("improved"),
+            std::string::npos);
+  EXPECT_NE(message_of(scene_with("improved", "[compatible]\nstart = \"standard\"\n")).find("contradicts"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace plumb
