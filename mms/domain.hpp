@@ -31,6 +31,11 @@ struct Domain {
 
   /// The least extent: scale of the details.
   double length() const { return shape == Shape::annulus ? outer - inner : box.size.minCoeff(); }
+  /// Distance of a point inside from the boundary [m].
+  double depth(const Vec<d>& X) const {
+    if (shape == Shape::annulus) return std::min(X.norm() - inner, outer - X.norm());
+    return std::min((X - box.origin).minCoeff(), (box.origin + box.size - X).minCoeff());
+  }
   bool contains(const Vec<d>& X) const {
     if (shape == Shape::annulus) return X.norm() >= inner && X.norm() <= outer;
     return ((X - box.origin).array() >= 0).all() && ((X - box.origin - box.size).array() <= 0).all();

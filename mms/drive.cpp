@@ -117,6 +117,19 @@ void add_face(const Solid<d>& solid, int face, const DriveOptions& options, Driv
   }
 }
 
+/// All components of the outermost layer and of every particle within the band.
+template <int d>
+void add_band(const Solid<d>& solid, double width, Drive<d>& drive) {
+  const Cloud<d>& cloud = solid.cloud;
+  const double outermost = 0.5 * cloud.spacing * (1 + 1e-6);  // cells: half a spacing; nodes: 0
+  const double depth = std::max(outermost, width * (1 + 1e-9));
+  for (Index i = 0; i < cloud.size(); ++i)
+    if (drive.solution.domain.depth(cloud.X[i]) <= depth)
+      for (int k = 0; k < d; ++k)
+        drive.driven.push_back(
+            {solid.bonds.slots.of(i), k, cloud.X[i], is_still(drive.solution, cloud.X[i], k)});
+}
+
 /// Drops the tractions that vanish at seven times (roller faces without shear, free circles): no work for
 /// them.
 template <int d>
@@ -147,7 +160,9 @@ std::shared_ptr<Drive<d>> make_drive(const Solid<d>& solid, const Manufactured<d
                                      const DriveOptions& options) {
   auto made = std::make_shared<Drive<d>>();
   made->solution = solution;
-  if (solution.domain.shape == Domain<d>::Shape::box)
+  if (options.held_band)
+    add_band(solid, *options.held_band, *made);
+  else if (solution.domain.shape == Domain<d>::Shape::box)
     for (int face = 0; face < 2 * d; ++face) add_face(solid, face, options, *made);
   const auto by_slot = [](const auto& a, const auto& b) { return a.slot < b.slot; };
   std::stable_sort(made->driven.begin(), made->driven.end(), by_slot);

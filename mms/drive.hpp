@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "mms/manufactured.hpp"
 #include "plumbline/geometry/layout.hpp"
@@ -12,6 +13,10 @@ namespace plumb::mms {
 struct DriveOptions {
   Layout layout = Layout::node;
   bool body_force = false;  ///< add s (finite-strain); without it the body is the one of the printed field
+  /// If given, particles on the boundary and those no farther from it than this [m] follow the solution at
+  /// their own positions, in all components, and nothing else is prescribed. A width of two support radii
+  /// leaves no free particle, and none whose stress it reads, with a cut support.
+  std::optional<double> held_band = {};
 };
 
 /// Sets the exact displacement and velocity of the state's time, and adds to the solid, as its last term, the
@@ -20,7 +25,7 @@ struct DriveOptions {
 /// have the exact u and u_t. Particles that belong to a face: those on it (node layout), or the first layer
 /// (cell layout), which then gets the values of the nearest point of the face, as a boundary condition there
 /// says. Traction t acts on a particle as t A/V, A its share of the face. Boxes only; the circles of an
-/// annulus are left free.
+/// annulus are left free unless there is a held band.
 template <int d>
 Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
                  const DriveOptions& options);

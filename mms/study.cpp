@@ -91,8 +91,8 @@ template <int d>
 LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force) {
   Simulation<d> simulation = simulation_of(study, solution, spacing);
   Solid<d>& solid = simulation.solid;
-  const Stepper<d> stepper =
-      drive(solid, simulation.state, simulation.stepper, solution, {study.body.layout, body_force});
+  const Stepper<d> stepper = drive(solid, simulation.state, simulation.stepper, solution,
+                                   {study.body.layout, body_force, study.held_band});
   LevelRun<d> out;
   out.level.n = solid.cloud.size();
   out.level.d = spacing;

@@ -71,6 +71,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   read_times(head, study);
   study.force = head.choice_or("force", study.force, {"none", "finite-strain"});
   study.quadrature = head.choice_or("quadrature", study.quadrature, {"gauss", "nodal", "both"});
+  study.held_band = head.optional_number("held_band", quantity::length, Sign::not_negative);
   study.parameters = read_parameters(head);
   head.reject_unknown();
   study.expect = read_expect(root);

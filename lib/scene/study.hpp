@@ -24,6 +24,9 @@ struct Study {
   std::optional<double> periods;    ///< end time as a multiple of the solution's period
   std::string force = "none";       ///< none: the field as printed | finite-strain: its body force added
   std::string quadrature = "both";  ///< gauss | nodal | both: nodal norms cost little, so both by default
+  /// Particles on the boundary and those no farther from it than this [m] follow the solution in all
+  /// components; absent: what the solution's faces say.
+  std::optional<double> held_band;
   std::map<std::string, double> parameters;  ///< [study.parameters] of the solution, SI units
   std::optional<Expect> expect;              ///< absent: orders are reported, not judged
   Body body;                                 ///< without spacing: use with_spacing(body, d)
