@@ -2,130 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
-#include <ctime>
-#include <limits>
 
-#include "mms/annulus.hpp"
-#include "mms/drive.hpp"
-#include "plumbline/dissipation/jst.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "mms/level.hpp"
 
 namespace plumb::mms {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Elastic elastic_of(const Study& study) {
-  return {study.material.young, study.material.poisson, study.material.density};
-}
-
-template <int d>
-Manufactured<d> solution_of(const Study& study) {
-  return manufactured<d>(study.solution, study.parameters, elastic_of(study), study.material.model);
-}
-
-bool wants_gauss(const Study& study) {
-  return study.quadrature != "nodal";
-}
-bool wants_nodal(const Study& study) {
-  return study.quadrature != "gauss";
-}
-
-/// The box of the study must be the solution's domain: its face conditions hold nowhere else.
-template <int d>
-void check_domain(const Study& study, const Manufactured<d>& solution) {
-  const Domain<d>& domain = solution.domain;
-  if (domain.shape != Domain<d>::Shape::box && wants_gauss(study))
-    throw InputError(fmt::format("Gauss norms of {}", solution.name),
-                     "its domain is an annulus, the tiles are boxes", "Use quadrature = \"nodal\".");
-  for (int a = 0; a < d; ++a) {
-    const double origin = study.body.origin.empty() ? 0 : study.body.origin[static_cast<std::size_t>(a)];
-    const double size = study.body.size[static_cast<std::size_t>(a)];
-    const double slack = 1e-9 * domain.box.size[a];
-    if (std::abs(origin - domain.box.origin[a]) > slack || std::abs(size - domain.box.size[a]) > slack)
-      throw InputError(fmt::format("body: axis {} runs from {:g} to {:g}", "XYZ"[a], origin, origin + size),
-                       fmt::format("the domain of {} runs from {:g} to {:g}", solution.name,
-                                   domain.box.origin[a], domain.box.origin[a] + domain.box.size[a]),
-                       "Use the domain of the solution.");
-  }
-}
-
-/// The scene of one level, without boundaries and initial state: those come from the solution.
-Scene scene_of(const Study& study, double spacing, double end) {
-  Scene scene;
-  scene.name = study.name;
-  scene.dimension = study.dimension();
-  scene.end_time = end;
-  scene.body = with_spacing(study.body, spacing);
-  scene.material = study.material;
-  scene.method = study.method;
-  scene.jst = study.jst;
-  scene.hourglass = study.hourglass;
-  return scene;
-}
-
-/// Boxes are built as in any scene; annuli as rings (layout node) or as a clipped lattice (layout cell).
-template <int d>
-Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  const Scene scene = scene_of(study, spacing, end_time(study));
-  if constexpr (d == 2) {
-    const Domain<d>& domain = solution.domain;
-    if (domain.shape == Domain<d>::Shape::annulus) {
-      const auto make = study.body.layout == Layout::node ? &polar_cloud : &clipped_cloud;
-      return make_simulation<d>(scene, make(domain.inner, domain.outer, spacing));
-    }
-  }
-  return make_simulation<d>(scene);
-}
-
-template <int d>
-struct LevelRun {
-  StudyLevel level;
-  Cloud<d> cloud;
-  NodalValues<d> values;
-};
-
-template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force) {
-  Simulation<d> simulation = simulation_of(study, solution, spacing);
-  Solid<d>& solid = simulation.solid;
-  const Stepper<d> stepper = drive(solid, simulation.state, simulation.stepper, solution,
-                                   {study.body.layout, body_force, study.held_band});
-  LevelRun<d> out;
-  out.level.n = solid.cloud.size();
-  out.level.d = spacing;
-  const std::clock_t cpu = std::clock();
-  const auto wall = std::chrono::steady_clock::now();
-  const RunResult result = run(solid, simulation.state, stepper, simulation.control);
-  out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-  out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
-  out.level.dt = result.dt.first;
-  out.level.steps = simulation.state.step;
-  out.level.pair_evaluations = solid.work.pair_evaluations;
-  if (result.failure)
-    out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
-  out.values = nodal_values(solid, simulation.state);
-  out.cloud = std::move(solid.cloud);
-  return out;
-}
-
-/// The norms of a field against the exact one; NaN for a broken run.
-template <int d>
-void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
-  StudyLevel& level = run.level;
-  if (level.failure) {
-    level.nodal = {nan, nan, nan};
-    if (wants_gauss(study)) level.gauss = level.nodal;
-    return;
-  }
-  level.nodal = nodal_norms<d>(run.cloud, run.values, exact);
-  if (!wants_gauss(study)) return;
-  const Interpolation<d> interpolation{kernel_named<d>(study.method.kernel), study.method.beta * level.d,
-                                       pair_named(study.method.pair)};
-  level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
-}
 
 StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector<StudyLevel>& levels,
                   const StudyLevel& floor, const StudyLevel& size) {
@@ -178,12 +60,7 @@ LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution,
 template <int d>
 StudyResult run_in(const Study& study, const StudyProgress& progress) {
   const Manufactured<d> solution = solution_of<d>(study);
-  check_domain(study, solution);
-  const double end = end_time(study);
-  const ExactField<d> exact = [&](const Vec<d>& X) -> PointValue<d> {
-    const Motion<d> motion = solution.motion(X, end);
-    return {motion.displacement, motion.F - Mat<d>::Identity()};
-  };
+  const ExactField<d> exact = exact_field<d>(solution, end_time(study));
   const ExactField<d> zero = [](const Vec<d>&) { return PointValue<d>{}; };
   const bool loaded = study.force == "finite-strain";
   double total = 0, done = 0;
@@ -230,12 +107,6 @@ double norm_of(const StudyLevel& level, const std::string& norm) {
   if (norm == "h1") return level.nodal.h1;
   if (norm == "linf") return level.nodal.linf;
   return norm == "l2_gauss" ? level.gauss->l2 : level.gauss->h1;
-}
-
-double end_time(const Study& study) {
-  if (study.time) return *study.time;
-  return *study.periods *
-         (study.dimension() == 2 ? solution_of<2>(study).period : solution_of<3>(study).period);
 }
 
 StudyResult run_study(const Study& study, const StudyProgress& progress) {

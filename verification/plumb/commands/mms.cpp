@@ -7,6 +7,7 @@
 
 #include "mms/manufactured.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/mms_cost.hpp"
 #include "plumb/mms_output.hpp"
 #include "plumb/session.hpp"
 
@@ -16,9 +17,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct MmsOptions {
-  std::string study, check;
-  std::vector<std::string> overrides;
-  bool list = false;
+  std::vector<std::string> studies;
+  std::string check;
+  std::vector<std::string> overrides, vary;
+  bool list = false, temporal = false, work_precision = false;
+  int repeats = 3;
   std::size_t points = 1000;
   std::uint64_t seed = 1;
 };
@@ -63,8 +66,39 @@ void draw(const Session& session, const reports::Picture& picture) {
                              dropped.why);
 }
 
+int temporal(const Session& session, const MmsOptions& options) {
+  const Study study = read_study(options.studies.front(), options.overrides, solution_names());
+  const mms::TemporalResult result = mms::run_temporal(study);
+  const Json json = json_of(study, result);
+  session.write_table(json["rows"]);
+  for (const auto& order : result.orders)
+    session.text() << fmt::format("{:<18} order {:.3f} [{:.3f}, {:.3f}] from {} steps, declared {:g}: {}\n",
+                                  order.integrator, order.fit.order, order.fit.lower, order.fit.upper,
+                                  order.fit.levels.size(), order.declared, order.verdict);
+  session.text() << fmt::format("error in space {:.4g}\nstatus: {}\n", result.spatial_error, result.status);
+  draw(session, temporal_picture(study, result));
+  session.write_json(json);
+  return result.status == "pass" ? 0 : 1;
+}
+
+int work_precision(const Session& session, const MmsOptions& options) {
+  const auto variants = variants_of(options.studies, options.vary, options.overrides, solution_names());
+  const mms::WorkPrecision result = mms::work_precision(variants, options.repeats);
+  const Json json = json_of(result, options.repeats);
+  session.write_table(json["points"]);
+  for (const auto& c : result.cheapest)
+    session.text() << fmt::format("relative error {:g}: cheapest {} = {:.4g}, {}\n", c.error, c.measure,
+                                  c.cost, result.labels[c.variant]);
+  draw(session, work_picture(result));
+  session.write_json(json);
+  return 0;
+}
+
 int study(const Session& session, const MmsOptions& options) {
-  const Study study = read_study(options.study, options.overrides, solution_names());
+  if (options.studies.size() != 1)
+    throw InputError("several study files", "a refinement study is one",
+                     "Add --work-precision to compare them.");
+  const Study study = read_study(options.studies.front(), options.overrides, solution_names());
   Progress progress(study.name, session.progress());
   const mms::StudyResult result =
       mms::run_study(study, [&](double done, const std::string& note) { progress.update(done, note); });
@@ -85,13 +119,15 @@ int study(const Session& session, const MmsOptions& options) {
 }
 
 int mms_action(const Session& session, const MmsOptions& options) {
-  const int asked = int(options.list) + int(!options.check.empty()) + int(!options.study.empty());
+  const int asked = int(options.list) + int(!options.check.empty()) + int(!options.studies.empty());
   if (asked != 1)
     throw InputError("plumb mms does one thing at a time", "",
                      "Give a study file, or --list, or --check NAME. Example: plumb mms "
                      "verification/studies/swinging_plate.toml");
   if (options.list) return list(session);
   if (!options.check.empty()) return check(session, options);
+  if (options.work_precision) return work_precision(session, options);
+  if (options.temporal) return temporal(session, options);
   return study(session, options);
 }
 
@@ -105,13 +141,22 @@ void add_mms(CLI::App& program, Session& session) {
                                    "plumb mms verification/studies/swinging_plate.toml --json -"},
                                   {.table = true, .plot = true},
                                   [&session, options] { return mms_action(session, *options); });
-  command.add_option("study", options->study, "study file (TOML)");
+  command.add_option("study", options->studies, "study file (TOML); several with --work-precision");
   command.add_flag("--list", options->list, "the catalogue of solutions with their parameters");
   command.add_option("--check", options->check,
                      "compares the two derivations of a solution at random points");
   command.add_option("--points", options->points, "number of random points of --check")
       ->capture_default_str();
   command.add_option("--seed", options->seed, "seed of --check")->capture_default_str();
+  command.add_flag("--temporal", options->temporal,
+                   "orders of the integrators: the step halved five times on the first cloud of the study");
+  command.add_flag("--work-precision", options->work_precision,
+                   "error against CPU time and work of several methods, with the Pareto front");
+  command.add_option("--vary", options->vary,
+                     "with --work-precision: section.key=value,value; every combination is a method");
+  command.add_option("--repeats", options->repeats, "with --work-precision: timed runs after the first")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100));
   command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
 }
 

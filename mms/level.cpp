@@ -1,0 +1,153 @@
+#include "mms/level.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "mms/annulus.hpp"
+#include "mms/drive.hpp"
+
+namespace plumb::mms {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The box of the study must be the solution's domain: its face conditions hold nowhere else.
+template <int d>
+void check_domain(const Study& study, const Manufactured<d>& solution) {
+  const Domain<d>& domain = solution.domain;
+  if (domain.shape != Domain<d>::Shape::box && wants_gauss(study))
+    throw InputError(fmt::format("Gauss norms of {}", solution.name),
+                     "its domain is an annulus, the tiles are boxes", "Use quadrature = \"nodal\".");
+  for (int a = 0; a < d; ++a) {
+    const double origin = study.body.origin.empty() ? 0 : study.body.origin[static_cast<std::size_t>(a)];
+    const double size = study.body.size[static_cast<std::size_t>(a)];
+    const double slack = 1e-9 * domain.box.size[a];
+    if (std::abs(origin - domain.box.origin[a]) > slack || std::abs(size - domain.box.size[a]) > slack)
+      throw InputError(fmt::format("body: axis {} runs from {:g} to {:g}", "XYZ"[a], origin, origin + size),
+                       fmt::format("the domain of {} runs from {:g} to {:g}", solution.name,
+                                   domain.box.origin[a], domain.box.origin[a] + domain.box.size[a]),
+                       "Use the domain of the solution.");
+  }
+}
+
+/// The scene of one level, without boundaries and initial state: those come from the solution.
+Scene scene_of(const Study& study, double spacing, double end) {
+  Scene scene;
+  scene.name = study.name;
+  scene.dimension = study.dimension();
+  scene.end_time = end;
+  scene.body = with_spacing(study.body, spacing);
+  scene.material = study.material;
+  scene.method = study.method;
+  scene.jst = study.jst;
+  scene.hourglass = study.hourglass;
+  return scene;
+}
+
+template <int d>
+Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
+  const Scene scene = scene_of(study, spacing, end_time(study));
+  if constexpr (d == 2) {
+    const Domain<d>& domain = solution.domain;
+    if (domain.shape == Domain<d>::Shape::annulus) {
+      const auto make = study.body.layout == Layout::node ? &polar_cloud : &clipped_cloud;
+      return make_simulation<d>(scene, make(domain.inner, domain.outer, spacing));
+    }
+  }
+  return make_simulation<d>(scene);
+}
+
+}  // namespace
+
+bool wants_gauss(const Study& study) {
+  return study.quadrature != "nodal";
+}
+bool wants_nodal(const Study& study) {
+  return study.quadrature != "gauss";
+}
+
+double end_time(const Study& study) {
+  if (study.time) return *study.time;
+  return *study.periods *
+         (study.dimension() == 2 ? solution_of<2>(study).period : solution_of<3>(study).period);
+}
+
+template <int d>
+Manufactured<d> solution_of(const Study& study) {
+  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
+  Manufactured<d> solution = manufactured<d>(study.solution, study.parameters, elastic, study.material.model);
+  check_domain(study, solution);
+  return solution;
+}
+
+template <int d>
+ExactField<d> exact_field(const Manufactured<d>& solution, double time) {
+  return [motion_at = solution.motion, time](const Vec<d>& X) -> PointValue<d> {
+    const Motion<d> motion = motion_at(X, time);
+    return {motion.displacement, motion.F - Mat<d>::Identity()};
+  };
+}
+
+template <int d>
+DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
+                          bool body_force) {
+  DrivenBody<d> body{simulation_of(study, solution, spacing), {}};
+  Simulation<d>& simulation = body.simulation;
+  body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
+                       {study.body.layout, body_force, study.held_band});
+  return body;
+}
+
+template <int d>
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force) {
+  DrivenBody<d> body = driven_body(study, solution, spacing, body_force);
+  Simulation<d>& simulation = body.simulation;
+  Solid<d>& solid = simulation.solid;
+  LevelRun<d> out;
+  out.level.n = solid.cloud.size();
+  out.level.d = spacing;
+  const std::clock_t cpu = std::clock();
+  const auto wall = std::chrono::steady_clock::now();
+  const RunResult result = run(solid, simulation.state, body.stepper, simulation.control);
+  out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+  out.level.dt = result.dt.first;
+  out.level.steps = simulation.state.step;
+  out.level.pair_evaluations = solid.work.pair_evaluations;
+  if (result.failure)
+    out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
+  out.values = nodal_values(solid, simulation.state);
+  out.cloud = std::move(solid.cloud);
+  return out;
+}
+
+template <int d>
+void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
+  StudyLevel& level = run.level;
+  if (level.failure) {
+    level.nodal = {nan, nan, nan};
+    if (wants_gauss(study)) level.gauss = level.nodal;
+    return;
+  }
+  level.nodal = nodal_norms<d>(run.cloud, run.values, exact);
+  if (!wants_gauss(study)) return;
+  const Interpolation<d> interpolation{kernel_named<d>(study.method.kernel), study.method.beta * level.d,
+                                       pair_named(study.method.pair)};
+  level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                                             \
+  template Manufactured<d> solution_of<d>(const Study&);                                     \
+  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                     \
+  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool); \
+  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool);     \
+  template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
+PLUMBLINE_INSTANTIATE(2)
+PLUMBLINE_INSTANTIATE(3)
+#undef PLUMBLINE_INSTANTIATE
+
+}  // namespace plumb::mms

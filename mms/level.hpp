@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "mms/manufactured.hpp"
+#include "mms/norms.hpp"
+#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/study.hpp"
+
+namespace plumb::mms {
+
+/// One run of a refinement study.
+struct StudyLevel {
+  Index n = 0;    ///< particles
+  double d = 0;   ///< spacing [m]
+  double dt = 0;  ///< first time step [s]
+  long steps = 0;
+  ErrorNorms nodal;                 ///< NaN if the run failed
+  std::optional<ErrorNorms> gauss;  ///< by the paper's quadrature, if asked for
+  double cpu_s = 0, wall_s = 0;     ///< of the time steps, without set-up
+  std::int64_t pair_evaluations = 0;
+  std::optional<std::string> failure;  ///< cause and time, if the run became unstable
+};
+
+/// What a run leaves: its numbers, and the field at its end.
+template <int d>
+struct LevelRun {
+  StudyLevel level;
+  Cloud<d> cloud;
+  NodalValues<d> values;
+};
+
+/// A body that follows a manufactured solution, ready to run.
+template <int d>
+struct DrivenBody {
+  Simulation<d> simulation;
+  Stepper<d> stepper;
+};
+
+/// Which norms a study asks for.
+bool wants_gauss(const Study& study);
+bool wants_nodal(const Study& study);
+
+/// End time of the study [s].
+double end_time(const Study& study);
+
+/// The study's solution. Throws InputError if it does not fit the study (dimension, parameters, box).
+template <int d>
+Manufactured<d> solution_of(const Study& study);
+
+/// The exact displacement and its gradient at one time [s].
+template <int d>
+ExactField<d> exact_field(const Manufactured<d>& solution, double time);
+
+/// The study's body with this spacing [m]. Boxes are built as in any scene; annuli as rings (layout node) or
+/// as a clipped lattice (layout cell).
+template <int d>
+DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
+                          bool body_force);
+
+/// Runs it to the end time; norms are left to measure().
+template <int d>
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force);
+
+/// The norms of a field against the exact one; NaN for a broken run.
+template <int d>
+void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run);
+
+}  // namespace plumb::mms

@@ -1,0 +1,110 @@
+#include "mms/temporal.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "plumbline/time/catalogue.hpp"
+
+namespace plumb::mms {
+namespace {
+
+constexpr int halvings = 5;
+constexpr std::string_view printed = "rk3, loads at t^n";
+
+/// Holds the time that the loads see at the start of each step: (30) as printed.
+template <int d>
+void freeze_loads(DrivenBody<d>& body) {
+  const auto start = std::make_shared<double>(0);
+  Term<d>& loads = body.simulation.solid.terms.back();
+  loads.second = [start, inner = loads.second](const Solid<d>& solid, const Block& block,
+                                               const State<d>& state, double, BlockForce<d>& force) {
+    inner(solid, block, state, *start, force);
+  };
+  body.stepper.step = [start, inner = body.stepper.step](Solid<d>& solid, State<d>& state, double dt) {
+    *start = state.time;
+    return inner(solid, state, dt);
+  };
+}
+
+/// The field after so many steps of the integrator of that name.
+template <int d>
+LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::string_view integrator,
+                        long steps) {
+  const bool as_printed = integrator == printed;
+  study.method.integrator = as_printed ? "rk3" : integrator;
+  study.method.cfl.reset();
+  study.method.time_step = end_time(study) / static_cast<double>(steps);
+  DrivenBody<d> body =
+      driven_body<d>(study, solution, study.spacings.front(), study.force == "finite-strain");
+  if (as_printed) freeze_loads(body);
+  Simulation<d>& simulation = body.simulation;
+  const RunResult result = run(simulation.solid, simulation.state, body.stepper, simulation.control);
+  if (!result.completed())
+    throw InputError(
+        "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
+        std::string(name_of(result.failure->cause)), "Choose a stable scheme or a shorter time.");
+  LevelRun<d> out;
+  out.values = nodal_values(simulation.solid, simulation.state);
+  out.cloud = std::move(simulation.solid.cloud);
+  return out;
+}
+
+template <int d>
+TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std::string_view integrator,
+                       double declared, long first_steps, const LevelRun<d>& reference, double size) {
+  TemporalOrder out{std::string(integrator), declared, {}, {}, {}};
+  const ExactField<d> zero = [](const Vec<d>&) { return PointValue<d>{}; };
+  for (int k = 0; k <= halvings; ++k) {
+    const long steps = first_steps << k;
+    const LevelRun<d> run = field_after<d>(study, solution, integrator, steps);
+    const NodalValues<d> error = difference<d>(run.values, reference.values);
+    out.levels.push_back(
+        {end_time(study) / static_cast<double>(steps), nodal_norms<d>(run.cloud, error, zero).l2});
+  }
+  FitOptions options;
+  options.round_off *= size;
+  out.fit = fit_order(out.levels, options);
+  out.verdict = name_of(judge(out.fit, declared));
+  return out;
+}
+
+template <int d>
+TemporalResult run_in(const Study& study) {
+  const Manufactured<d> solution = solution_of<d>(study);
+  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
+  const double end = end_time(study);
+  const auto first_steps =
+      static_cast<long>(std::ceil(2 * end * elastic.wave_speed() / study.spacings.front()));
+  const long reference_steps = first_steps << (halvings + 2);
+  const LevelRun<d> reference = field_after<d>(study, solution, "rk3", reference_steps);
+  const ExactField<d> exact = exact_field<d>(solution, end),
+                      zero = [](const Vec<d>&) { return PointValue<d>{}; };
+  TemporalResult result;
+  result.d = study.spacings.front();
+  result.n = reference.cloud.size();
+  result.reference_step = end / static_cast<double>(reference_steps);
+  result.spatial_error = nodal_norms<d>(reference.cloud, reference.values, exact).l2;
+  const double size = nodal_norms<d>(reference.cloud, reference.values, zero).l2;
+  const auto add = [&](std::string_view name, double declared) {
+    result.orders.push_back(order_of<d>(study, solution, name, declared, first_steps, reference, size));
+  };
+  for_each_type(IntegratorCatalogue{},
+                [&]<class T>(Type<T>) { add(T::name, T::template Stepper<d>::order); });
+  if (study.force == "finite-strain") add(printed, 1);
+  result.status = "pass";
+  for (const auto& order : result.orders)
+    if (order.verdict != name_of(Verdict::pass))
+      result.status = order.verdict == "fail" ? "fail" : "inconclusive";
+  return result;
+}
+
+}  // namespace
+
+TemporalResult run_temporal(const Study& study) {
+  if (study.dimension() == 2) return run_in<2>(study);
+  if (study.dimension() == 3) return run_in<3>(study);
+  throw InputError("a study of the time step in one dimension", "solutions exist in 2D and 3D",
+                   "Give body.size two or three entries.");
+}
+
+}  // namespace plumb::mms

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mms/study.hpp"
+
+namespace plumb::mms {
+
+/// Errors of one integrator, the step halved again and again.
+struct TemporalOrder {
+  std::string integrator;     ///< a name of the catalogue, or "rk3, loads at t^n" for (30) as printed
+  double declared;            ///< order of the integrator; 1 for loads at t^n
+  std::vector<Level> levels;  ///< time step [s], nodal L2 norm of the difference to the reference
+  OrderFit fit;
+  std::string verdict;  ///< of judge()
+};
+
+struct TemporalResult {
+  double d;               ///< spacing of the cloud [m]: the study's first
+  Index n;                ///< particles
+  double reference_step;  ///< of RK3 [s]
+  double spatial_error;   ///< nodal L2 norm of the reference against the exact solution
+  std::vector<TemporalOrder> orders;
+  std::string status;  ///< pass: every declared order passes
+};
+
+/// Time errors alone: the study's first cloud is run with fixed steps by every integrator, against RK3 with
+/// a quarter of the finest step on the same cloud, so that space does not enter. Six steps, each half of the
+/// one before; the first is half of d over C_p. Also (30) as printed, with the loads of all stages at t^n.
+TemporalResult run_temporal(const Study& study);
+
+}  // namespace plumb::mms

@@ -1,0 +1,117 @@
+#include "mms/work_precision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mms/level.hpp"
+
+namespace plumb::mms {
+namespace {
+
+/// Runs one level and puts what it measures into the point: the least time, and the span to the slowest.
+template <int d>
+void run_once(const Study& study, WorkPoint& point, bool warm_up) {
+  const Manufactured<d> solution = solution_of<d>(study);
+  LevelRun<d> run = run_level<d>(study, solution, point.d, study.force == "finite-strain");
+  if (warm_up) {
+    const ExactField<d> exact = exact_field<d>(solution, end_time(study)),
+                        zero = [](const Vec<d>&) { return PointValue<d>{}; };
+    measure<d>(study, exact, run);
+    NodalValues<d> size(run.values.size());
+    for (std::size_t i = 0; i < size.size(); ++i) size[i] = exact(run.cloud.X[i]);
+    point.error = run.level.nodal.l2 / nodal_norms<d>(run.cloud, size, zero).l2;
+    point.failure = run.level.failure;
+    point.pair_evaluations = run.level.pair_evaluations;
+    point.cpu_s = point.wall_s = std::numeric_limits<double>::max();
+    return;
+  }
+  const double slowest =
+      std::max(point.cpu_s == std::numeric_limits<double>::max() ? 0 : point.cpu_s + point.cpu_spread_s,
+               run.level.cpu_s);
+  point.cpu_s = std::min(point.cpu_s, run.level.cpu_s);
+  point.cpu_spread_s = slowest - point.cpu_s;
+  point.wall_s = std::min(point.wall_s, run.level.wall_s);
+}
+
+void run_once(const Study& study, WorkPoint& point, bool warm_up) {
+  study.dimension() == 2 ? run_once<2>(study, point, warm_up) : run_once<3>(study, point, warm_up);
+}
+
+using CostAndError = std::pair<double, double>;
+
+double cost_of(const WorkPoint& point, bool cpu) {
+  return cpu ? point.cpu_s : static_cast<double>(point.pair_evaluations);
+}
+
+/// Cost of an error on one variant's levels, coarse to fine; nothing if its finest error is above.
+std::optional<double> cost_at(double error, const std::vector<CostAndError>& levels) {
+  std::optional<CostAndError> coarser;
+  for (const CostAndError& level : levels) {
+    if (!std::isfinite(level.second)) continue;
+    if (level.second <= error) {
+      if (!coarser) return level.first;
+      const double share = std::log(coarser->second / error) / std::log(coarser->second / level.second);
+      return coarser->first * std::pow(level.first / coarser->first, share);
+    }
+    coarser = level;
+  }
+  return std::nullopt;
+}
+
+void find_cheapest(WorkPrecision& result, const std::vector<double>& errors, bool cpu) {
+  for (const double error : errors) {
+    std::optional<Cheapest> best;
+    for (std::size_t v = 0; v < result.labels.size(); ++v) {
+      std::vector<CostAndError> levels;
+      for (const WorkPoint& point : result.points)
+        if (point.variant == v) levels.emplace_back(cost_of(point, cpu), point.error);
+      const auto cost = cost_at(error, levels);
+      if (cost && (!best || *cost < best->cost)) best = {error, cpu ? "cpu_s" : "pair_evaluations", v, *cost};
+    }
+    if (best) result.cheapest.push_back(*best);
+  }
+}
+
+void mark_front(WorkPrecision& result, bool cpu) {
+  std::vector<CostAndError> points;
+  for (const WorkPoint& point : result.points) points.emplace_back(cost_of(point, cpu), point.error);
+  const std::vector<bool> front = pareto_front(points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    (cpu ? result.points[k].front_cpu : result.points[k].front_work) = front[k];
+}
+
+}  // namespace
+
+std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
+  const auto finite = [](const CostAndError& p) { return std::isfinite(p.first) && std::isfinite(p.second); };
+  std::vector<bool> front;
+  for (const auto& p : points)
+    front.push_back(finite(p) && std::none_of(points.begin(), points.end(), [&](const CostAndError& q) {
+                      return finite(q) && q.first <= p.first && q.second <= p.second && q != p;
+                    }));
+  return front;
+}
+
+WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
+                             const std::vector<double>& errors) {
+  WorkPrecision result;
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    result.labels.push_back(variants[v].label);
+    for (const double d : variants[v].study.spacings) {
+      WorkPoint point;
+      point.variant = v;
+      point.d = d;
+      result.points.push_back(point);
+    }
+  }
+  for (int turn = 0; turn <= std::max(1, repeats); ++turn)
+    for (WorkPoint& point : result.points) run_once(variants[point.variant].study, point, turn == 0);
+  for (const bool cpu : {true, false}) {
+    mark_front(result, cpu);
+    find_cheapest(result, errors, cpu);
+  }
+  return result;
+}
+
+}  // namespace plumb::mms
