@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "plumbline/core/error.hpp"
 #include "plumbline/solid/solid.hpp"
@@ -36,6 +37,9 @@ struct Stepper {
   /// nothing.
   std::function<const Field*()> carried = {};
   std::function<void(const Field&)> carry = {};  ///< takes that of an earlier run, to continue it
+  /// Of the forces of a step's evaluations in the change of v over dt; a single one counts at both ends of
+  /// the step. Empty: unknown, and there is no budget.
+  std::vector<double> weights = {};
 };
 
 template <int d>
@@ -51,6 +55,8 @@ Stepper<d> stepper_named(std::string_view name, const Solid<d>& solid) {
       stepper.carried = [s] { return s->carried(); };
       stepper.carry = [s](const Field& field) { s->carry(field); };
     }
+    if constexpr (requires { S::weights; })
+      stepper.weights.assign(std::begin(S::weights), std::end(S::weights));
   });
   if (!known) throw unknown_name("integrator", name, names_of(IntegratorCatalogue{}));
   return stepper;

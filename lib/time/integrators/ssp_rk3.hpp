@@ -17,6 +17,7 @@ struct SspRk3 {
     static constexpr std::string_view name = SspRk3::name;
     static constexpr int order = 3;
     static constexpr int evaluations_per_step = 3;
+    static constexpr double weights[] = {1.0 / 6, 1.0 / 6, 2.0 / 3};
 
     explicit Stepper(const Solid<d>& solid) : u0_(solid.make_field(d)), v0_(solid.make_field(d)) {}
     std::size_t bytes() const { return u0_.bytes() + v0_.bytes(); }

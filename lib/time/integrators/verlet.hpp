@@ -16,6 +16,7 @@ struct Verlet {
     static constexpr std::string_view name = Verlet::name;
     static constexpr int order = 2;
     static constexpr int evaluations_per_step = 1;
+    static constexpr double weights[] = {0.5};  // of the evaluation before the step, too
 
     explicit Stepper(const Solid<d>& solid) : a_(solid.make_field(d)) {}
     std::size_t bytes() const { return a_.bytes(); }

@@ -1,0 +1,319 @@
+// The conservation budget: which law each form keeps, in which class (round-off, O(dt^p), dissipated by a
+// named term), and that the checks fail when the form is spoilt.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "plumbline/diagnostics/budget.hpp"
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/simulation.hpp"
+#include "tests/support/solids.hpp"
+
+using namespace plumb;
+using plumb::testing::Scheme;
+
+namespace {
+
+/// Sums of some hundred terms over some hundred steps, relative to their size: a hundred times what is seen.
+constexpr double round_off = 1e-12;
+
+struct FreeBody {
+  Layout layout = Layout::cell;
+  double jitter = 0;
+  std::string momentum = "adjoint";
+  std::string integrator = "rk3";
+  double cfl = 0.4;
+  double time = 0;  ///< [s]; 0: twenty steps
+};
+
+struct Outcome {
+  BudgetSums sums;
+  double linear_scale, angular_scale, energy;  ///< sum m |v|, sum m |x| |v|, total energy at the end
+  double angular_change;                       ///< |change of the angular momentum|
+};
+
+/// Runs a free block that is deformed at the start and follows its budget.
+template <int d>
+Outcome follow(const FreeBody& body, const MomentumWeights<d>& weights) {
+  Cloud<d> cloud = plumb::testing::block<d>(d == 2 ? 10 : 6, body.layout, body.jitter);
+  auto options = plumb::testing::options<d>(Scheme{}, cloud.spacing);
+  options.momentum = weights;
+  Solid<d> solid = make_solid<d>(std::move(cloud), "neo-hookean", plumb::testing::rubber, options);
+  State<d> state = make_state(solid);
+  plumb::testing::deform(solid, state, 0.1);
+  for (Index i = 0; i < solid.cloud.size(); ++i) {  // and turning
+    const Vec<d>& X = solid.cloud.X[i];
+    Vec<d> v = Vec<d>::Zero();
+    v[0] = -30 * X[1], v[1] = 30 * X[0];
+    set_vector<d>(state.v, solid.bonds.slots.of(i), v);
+  }
+  const Momentum start = momentum_of(solid, state);
+  const Stepper<d> stepper = stepper_named<d>(body.integrator, solid);
+  Budget<d> budget(solid, state, stepper.weights);
+  StepControl control;
+  control.fixed_step = body.cfl * solid.cloud.spacing / solid.elastic.wave_speed();
+  if (body.time > 0)
+    control.end_time = body.time;
+  else
+    control.max_steps = 20;
+  const RunResult result =
+      run<d>(solid, state, stepper, control, [&](const Solid<d>& now, const State<d>& s) {
+        if (s.step > 0) budget.close_step(now, s);
+        return true;
+      });
+  REQUIRE(result.completed());
+  const Momentum end = momentum_of(solid, state);
+  Vec<3> change;
+  for (int k = 0; k < 3; ++k) change[k] = end.angular[k] - start.angular[k];
+  return {budget.total(), end.linear_scale, end.angular_scale, energy_of(solid, state).total(),
+          change.norm()};
+}
+
+template <int d>
+Outcome follow(const FreeBody& body) {
+  return follow<d>(body, momentum_form_named<d>(body.momentum));
+}
+
+std::string name_of(const FreeBody& body) {
+  return fmt::format("{} {} jitter {} {}", body.momentum, body.layout == Layout::cell ? "cell" : "node",
+                     body.jitter, body.integrator);
+}
+
+std::vector<FreeBody> free_bodies() {
+  std::vector<FreeBody> all;
+  for (const char* momentum : {"symmetrised", "adjoint"})
+    for (const Layout layout : {Layout::cell, Layout::node})
+      for (const double jitter : {0.0, 0.2})
+        for (const char* integrator : {"rk3", "verlet"})
+          all.push_back({layout, jitter, momentum, integrator});
+  return all;
+}
+
+double linear_of(const Outcome& o) {
+  return o.sums.part("internal force").linear.norm() / o.linear_scale;
+}
+double angular_of(const Outcome& o) {
+  return o.sums.part("internal force").angular.norm() / o.angular_scale;
+}
+double energy_of(const Outcome& o) {
+  return std::abs(o.sums.part("internal force").energy) / o.energy;
+}
+
+template <int d>
+void require_closed_and_linear() {
+  for (const FreeBody& body : free_bodies()) {
+    const Outcome o = follow<d>(body);
+    INFO(d << "D " << name_of(body));
+    CHECK(o.sums.linear_gap < round_off);
+    CHECK(o.sums.angular_gap < round_off);
+    CHECK(o.sums.energy_gap < round_off);
+    CHECK(linear_of(o) < round_off);
+    if (body.momentum == "adjoint") {
+      // the torque of the stage forces about the mean of the positions is not zero, only that about their own
+      CHECK(energy_of(o) < round_off);
+    } else {
+      CHECK(energy_of(o) > 1e-7);  // (22) is not the adjoint of F: the defect is seen and named
+    }
+  }
+}
+
+/// |change of angular momentum| at cfl, cfl/2, cfl/4, cfl/8, relative to sum m |x| |v|.
+template <int d>
+std::vector<double> angular_changes(const FreeBody& body) {
+  std::vector<double> changes;
+  for (const double part : {1.0, 0.5, 0.25, 0.125}) {
+    FreeBody finer = body;
+    finer.cfl *= part;
+    finer.time = 5e-3;
+    const Outcome o = follow<d>(finer);
+    changes.push_back(o.angular_change / o.angular_scale);
+  }
+  std::cout << fmt::format("angular momentum, {}D {}: {:.2e}\n", d, name_of(body), fmt::join(changes, ", "));
+  return changes;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "conservation: budgets close to round-off, and the internal force keeps linear momentum to round-off",
+    "[conservation]") {
+  require_closed_and_linear<2>();
+  require_closed_and_linear<3>();
+}
+
+TEST_CASE("conservation: angular momentum, adjoint: order 3 with RK3, round-off with Verlet",
+          "[conservation]") {
+  for (const double jitter : {0.0, 0.2}) {
+    const FreeBody body{Layout::node, jitter, "adjoint", "rk3"};
+    for (const auto& changes : {angular_changes<2>(body), angular_changes<3>(body)})
+      for (std::size_t k = 1; k < changes.size(); ++k)
+        // 2^3, and less than a factor of two for the next order at the coarsest step
+        CHECK(std::log2(changes[k - 1] / changes[k]) == Approx(3).margin(0.35));
+    FreeBody verlet = body;
+    verlet.integrator = "verlet";
+    // Verlet keeps every bilinear invariant of x and v; the angular momentum is one
+    for (const double change : angular_changes<2>(verlet)) CHECK(change < round_off);
+    for (const double change : angular_changes<3>(verlet)) CHECK(change < round_off);
+  }
+}
+
+TEST_CASE("conservation: angular momentum, symmetrised: the loss stays when the step falls",
+          "[conservation]") {
+  const auto changes = angular_changes<2>({Layout::cell, 0, "symmetrised", "verlet"});
+  CHECK(changes.back() > 1e-6);  // not an error of the integrator
+  CHECK(changes.back() / changes.front() == Approx(1).epsilon(0.2));
+}
+
+TEST_CASE("conservation: spoilt forms fail", "[conservation]") {
+  const FreeBody body{Layout::cell, 0.2, "adjoint", "verlet"};
+  // pairwise symmetry removed: both stresses on this particle's own gradients
+  const MomentumWeights<2> lopsided{[](const PairData<2>& pair) -> Vec<2> { return pair.gradient_ij; },
+                                    [](const PairData<2>& pair) -> Vec<2> { return pair.gradient_ij; }};
+  const Outcome spoilt = follow<2>(body, lopsided);
+  CHECK(linear_of(spoilt) > 1e3 * round_off);
+  // the adjoint form with another table than the one that makes F
+  const MomentumWeights<2> other_table{
+      [](const PairData<2>& pair) -> Vec<2> { return -pair.volume_j / pair.volume_i * pair.gradient_ji; },
+      [](const PairData<2>& pair) -> Vec<2> { return pair.gradient_ij; }};
+  const Outcome mixed = follow<2>(body, other_table);
+  CHECK(linear_of(mixed) < round_off);        // still pairwise
+  CHECK(energy_of(mixed) > 1e3 * round_off);  // no longer the derivative of an energy
+  CHECK(mixed.angular_change / mixed.angular_scale > 1e3 * round_off);
+  CHECK(angular_of(mixed) > 1e3 * round_off);
+  std::cout << fmt::format("spoilt: linear {:.1e}; other table: energy {:.1e}, angular {:.1e}\n",
+                           linear_of(spoilt), energy_of(mixed), mixed.angular_change / mixed.angular_scale);
+}
+
+TEST_CASE("conservation: the forces of a pair are opposite", "[conservation]") {
+  for (const std::string momentum : {"symmetrised", "adjoint"}) {
+    Scheme scheme;
+    scheme.momentum = momentum;
+    const Solid<3> solid = plumb::testing::rubber_block<3>(6, Layout::node, 0.2, scheme);
+    const BondTable<3>& t = solid.bonds;  // jittered: one row a particle, width 1
+    REQUIRE(t.width == 1);
+    std::map<std::pair<Index, Index>, Vec<3>> weight_of_P_j;  // V_i a_ij
+    std::map<std::pair<Index, Index>, Vec<3>> stencil;        // V_i c_ij
+    for (Index i = 0; i < solid.cloud.size(); ++i)
+      for (std::int64_t n = t.begin[t.row[i]]; n < t.begin[t.row[i] + 1]; ++n) {
+        const Index j = i + t.offset[n];
+        for (int k = 0; k < 3; ++k) {
+          weight_of_P_j[{i, j}][k] = solid.cloud.V[i] * t.force[n * 3 + k];
+          stencil[{i, j}][k] = solid.cloud.V[i] * t.stencil[n * 3 + k];
+        }
+      }
+    double worst = 0, size = 0;
+    for (const auto& [pair, a] : weight_of_P_j) {
+      const auto& [i, j] = pair;
+      // what P_j does to i is minus what it does to j: the same P_j stands in s_j with a_ji (22) or c_ji
+      // (adjoint)
+      const Vec<3> back = momentum == "adjoint" ? stencil.at({j, i}) : weight_of_P_j.at({j, i});
+      worst = std::max(worst, (a + back).norm());
+      size = std::max(size, a.norm());
+    }
+    INFO(momentum);
+    CHECK(worst < 1e-14 * size);  // one product and one quotient of volumes
+  }
+}
+
+namespace {
+
+struct EnergyHistory {
+  double largest;  ///< |E/E0 - 1|
+  double drift;    ///< difference of the means over the last and the first tenth, relative to E0
+};
+
+template <int d>
+EnergyHistory energy_history(const std::string& file, const std::vector<std::string>& overrides,
+                             double time) {
+  const Scene scene = read_scene(std::string(PLUMBLINE_SOURCE_DIR "/verification/") + file, overrides);
+  Simulation<d> s = make_simulation<d>(scene);
+  s.control.end_time = time;
+  s.control.max_steps.reset();
+  // a constant step: Verlet is symplectic for that only
+  s.control.fixed_step = s.control.cfl * s.solid.cloud.spacing / s.solid.elastic.wave_speed();
+  const double start = energy_of(s.solid, s.state).total();
+  double largest = 0, first = 0, last = 0;
+  long in_first = 0, in_last = 0;
+  const auto result =
+      run<d>(s.solid, s.state, s.stepper, s.control, [&](const Solid<d>& solid, const State<d>& state) {
+        const double change = energy_of(solid, state).total() / start - 1;
+        largest = std::max(largest, std::abs(change));
+        if (state.time < 0.1 * time) first += change, ++in_first;
+        if (state.time > 0.9 * time) last += change, ++in_last;
+        return true;
+      });
+  REQUIRE(result.completed());
+  const double drift = last / static_cast<double>(in_last) - first / static_cast<double>(in_first);
+  std::cout << fmt::format("energy of {}: largest change {:.2e}, drift {:.2e}\n", scene.name, largest, drift);
+  return {largest, drift};
+}
+
+const std::vector<std::string> free_of_dissipation{"method.momentum=adjoint", "method.integrator=verlet",
+                                                   "method.cfl=0.5", "jst.eta4=0"};
+
+/// Bounded by `bound`, and no drift beyond a tenth of the bound.
+void require_bounded(const EnergyHistory& history, double bound) {
+  CHECK(history.largest < bound);
+  CHECK(std::abs(history.drift) < 0.1 * bound);
+}
+
+constexpr double plate_period = 0.0393416;  // [s], method.md
+
+}  // namespace
+
+// Verlet's energy swings by (omega dt)^2/8 of the exchanged energy: omega dt = 0.02 at d = 0.2, cfl = 0.5.
+TEST_CASE("conservation: energy, adjoint and Verlet, 100 periods of the swinging plate: bounded, no drift",
+          "[conservation]") {
+  auto set = free_of_dissipation;
+  set.insert(set.end(), {"body.layout=node", "body.particles=[11, 11]"});
+  require_bounded(energy_history<2>("scenes/swinging-plate.toml", set, 100 * plate_period), 2e-3);
+}
+
+TEST_CASE("conservation: energy, adjoint and Verlet, 0.1 s of the bending column: bounded, no drift",
+          "[conservation]") {
+  require_bounded(energy_history<3>("scenes/bending-column.toml", free_of_dissipation, 0.1), 2e-3);
+}
+
+TEST_CASE("conservation: energy, adjoint and Verlet, 0.5 s of the bending column: bounded, no drift",
+          "[conservation][long]") {
+  require_bounded(energy_history<3>("scenes/bending-column.toml", free_of_dissipation, 0.5), 2e-3);
+}
+
+TEST_CASE("conservation: JST takes energy in every step, and is all that does", "[conservation]") {
+  for (const char* outer : {"symmetric", "transpose"}) {
+    const Scene scene = read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/bending-column.toml",
+                                   {"method.momentum=adjoint", "method.cfl=0.25", "scene.end_time=0.02",
+                                    std::string("jst.outer=") + outer});
+    Simulation<3> s = make_simulation<3>(scene);
+    const double start = energy_of(s.solid, s.state).total();
+    Budget<3> budget(s.solid, s.state, s.stepper.weights);
+    double most = -1;
+    const auto result =
+        run<3>(s.solid, s.state, s.stepper, s.control, [&](const Solid<3>& solid, const State<3>& state) {
+          if (state.step > 0) {
+            budget.close_step(solid, state);
+            most = std::max(most, budget.step().part("jst").energy);
+          }
+          return true;
+        });
+    REQUIRE(result.completed());
+    const BudgetSums& sums = budget.total();
+    const double change = energy_of(s.solid, s.state).total() - start;
+    std::cout << fmt::format("JST ({}) takes {:.4g} J, supports {:.1e} J, integrator {:.1e} J of {:.5g} J\n",
+                             outer, sums.part("jst").energy, sums.part("supports").energy,
+                             sums.part("integrator").energy, start);
+    INFO(outer);
+    CHECK(most <= 0);
+    CHECK(sums.part("jst").energy < -1e-4 * start);
+    CHECK(std::abs(sums.part("supports").energy) < round_off * start);  // a clamp does no work
+    double explained = 0;
+    for (const auto& part : sums.parts) explained += part.energy;
+    CHECK(std::abs(explained - change) < round_off * start);
+    // RK3 at a quarter of the step: its own dissipation is a small share
+    CHECK(std::abs(sums.part("integrator").energy) < 0.05 * std::abs(sums.part("jst").energy));
+  }
+}
