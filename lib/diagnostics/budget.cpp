@@ -1,5 +1,6 @@
 #include "plumbline/diagnostics/budget.hpp"
 
+#include <Eigen/Geometry>  // cross
 #include <algorithm>
 #include <cmath>
 

@@ -110,6 +110,7 @@ std::optional<Output> read_output(const Section& root, const Body& body) {
   output.checkpoint = section->optional_number("checkpoint", quantity::time, Sign::positive);
   output.vtk = section->flag_or("vtk", output.vtk);
   output.series = section->flag_or("series", output.series);
+  output.budget = section->flag_or("budget", output.budget);
   for (const auto& part : section->sections("probe")) {
     const Probe probe = read_probe(part, body);
     for (const auto& other : output.probes)

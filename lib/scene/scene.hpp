@@ -119,6 +119,7 @@ struct Output {
       checkpoint;       ///< [s] between files to resume from; they are also kept at every early end
   bool vtk = false;     ///< particles as .vtp with a .pvd
   bool series = false;  ///< energies, momenta and probes against time as CSV
+  bool budget = false;  ///< momenta and energy by the cause that changed them, every step, as CSV
   std::vector<Probe> probes;
 };
 

@@ -9,6 +9,7 @@
 
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
+#include "plumb/run/budget_file.hpp"
 #include "plumb/run/checkpoints.hpp"
 #include "plumb/run/interrupt.hpp"
 #include "plumb/run/recorder.hpp"
@@ -69,7 +70,7 @@ class Stopwatch {
 /// Runs the steps, recording on the way. What an early end leaves can be continued.
 template <int d>
 RunResult advance(const Session& session, const Scene& scene, Simulation<d>& simulation, RunBook& book,
-                  Recorder<d>& recorder, Checkpoints<d>* checkpoints) {
+                  Recorder<d>& recorder, Checkpoints<d>* checkpoints, BudgetFile<d>* budget) {
   const InterruptGuard guard;
   Progress progress(scene.name, session.progress());
   const Stopwatch watch(book.timing);
@@ -79,6 +80,7 @@ RunResult advance(const Session& session, const Scene& scene, Simulation<d>& sim
   };
   const auto observe = [&](const Solid<d>& solid, const State<d>& state) {
     recorder.observe(solid, state);
+    if (budget) budget->observe(solid, state);
     if (checkpoints && checkpoints->due(state.time)) keep();
     progress.update(fraction_done(simulation.control, state),
                     fmt::format("t = {:.4g} s, step {}", state.time, state.step));
@@ -111,6 +113,11 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
   const auto file = folder / "checkpoint.h5";
   const auto from = starting_point(options, file, settings);
   Simulation<d> simulation = make_simulation<d>(scene);
+  const bool with_budget = scene.output && scene.output->budget;
+  if (with_budget && options.resume)
+    throw InputError("--resume does not go with budget",
+                     "the account of the first part of the run is not kept",
+                     "run from the start, or --set output.budget=false");
   for (const auto& warning : simulation.warnings) session.warn(warning);
   RunBook book = from ? restore(*from, simulation) : begin_book(simulation);
   if (keeps_files && !from) std::filesystem::remove(file);
@@ -120,9 +127,11 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
     std::filesystem::create_directories(folder);
     checkpoints.emplace(file, scene.output.value_or(Output{}).checkpoint, version_text(), settings);
   }
+  std::optional<BudgetFile<d>> budget;
+  if (with_budget) budget.emplace(folder / "budget.csv", simulation);
   book.timing.setup = wall_time() - start;
-  const RunResult result =
-      advance(session, scene, simulation, book, recorder, checkpoints ? &*checkpoints : nullptr);
+  const RunResult result = advance(session, scene, simulation, book, recorder,
+                                   checkpoints ? &*checkpoints : nullptr, budget ? &*budget : nullptr);
   const FinishedRun<d> finished{scene, simulation, result, recorder.probes(), book};
   const auto json = summary(finished);
   session.text() << summary_text(finished);

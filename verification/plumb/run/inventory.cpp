@@ -36,6 +36,7 @@ Parts parts_of(const Scene& scene, const Simulation<d>& simulation) {
   add(simulation.solid.F.components() > 0, "stored deformation gradient");
   add(simulation.solid.stored_force.components() > 0, "stored force");
   add(output.series, "series");
+  add(output.budget, "budget");
   add(output.vtk, "vtk");
   add(!output.probes.empty(), "probe");
   return parts;

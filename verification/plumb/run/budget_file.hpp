@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+
+#include "plumbline/diagnostics/budget.hpp"
+#include "plumbline/output/series.hpp"
+#include "plumbline/scene/simulation.hpp"
+
+namespace plumb {
+
+/// Writes the conservation budget of a run, one line a step: time, for every part what it has done so far to
+/// linear momentum, angular momentum and energy, and the gaps of the step.
+template <int d>
+class BudgetFile {
+ public:
+  /// Adds the budget to the simulation and starts the file.
+  BudgetFile(const std::filesystem::path& file, Simulation<d>& simulation);
+  /// For the run's observer.
+  void observe(const Solid<d>& solid, const State<d>& state);
+
+ private:
+  Budget<d> budget_;
+  CsvSeries series_;
+};
+
+}  // namespace plumb
