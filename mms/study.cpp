@@ -28,17 +28,6 @@ StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector
   return out;
 }
 
-std::string status_of(const std::vector<StudyFit>& fits) {
-  bool all_pass = true, any = false;
-  for (const StudyFit& fit : fits) {
-    if (!fit.declared) continue;
-    any = true;
-    if (fit.verdict == name_of(Verdict::fail)) return "fail";
-    all_pass = all_pass && fit.verdict == name_of(Verdict::pass);
-  }
-  return any && all_pass ? "pass" : "inconclusive";
-}
-
 /// Relative work of a level: particles times steps.
 double work_of(const Study& study, double spacing) {
   return std::pow(spacing, -study.dimension() - 1);
@@ -101,6 +90,17 @@ StudyResult run_in(const Study& study, const StudyProgress& progress) {
 }
 
 }  // namespace
+
+std::string status_of(const std::vector<StudyFit>& fits) {
+  bool all_pass = true, any = false;
+  for (const StudyFit& fit : fits) {
+    if (!fit.declared) continue;
+    any = true;
+    if (fit.verdict == name_of(Verdict::fail)) return "fail";
+    all_pass = all_pass && fit.verdict == name_of(Verdict::pass);
+  }
+  return any && all_pass ? "pass" : "inconclusive";
+}
 
 double norm_of(const StudyLevel& level, const std::string& norm) {
   if (norm == "l2") return level.nodal.l2;

@@ -33,6 +33,9 @@ using StudyProgress = std::function<void(double fraction, const std::string& not
 /// reduces. Throws InputError if the solution does not fit the study (dimension, parameters, box).
 StudyResult run_study(const Study& study, const StudyProgress& progress = {});
 
+/// Status of a study from its fits, as in StudyResult.
+std::string status_of(const std::vector<StudyFit>& fits);
+
 /// One norm of a level by its name: l2, h1, linf, l2_gauss, h1_gauss.
 double norm_of(const StudyLevel& level, const std::string& norm);
 

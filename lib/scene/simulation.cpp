@@ -6,6 +6,7 @@
 
 #include "plumbline/compatible/compatible.hpp"
 #include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/hourglass/hourglass.hpp"
 
 namespace plumb {
 namespace {
@@ -154,8 +155,6 @@ Simulation<d> make_simulation(const Scene& scene) {
 
 template <int d>
 Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud) {
-  if (scene.hourglass)
-    throw InputError("[hourglass] is not available", "its energy is not built yet", "leave the section out");
   const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
   const BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   Simulation<d> simulation;
@@ -166,6 +165,8 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud) {
   set_initial_velocity(simulation.solid, scene, simulation.state);
   impose(simulation.solid, simulation.supports, simulation.state);
   if (scene.jst) add_jst(simulation, scene);
+  if (scene.hourglass && scene.hourglass->alpha > 0)
+    add_term(simulation.solid, hourglass_term(simulation.solid, options.kernel, scene.hourglass->alpha));
   if (!simulation.supports.empty())
     add_term(simulation.solid, support_term(simulation.solid, simulation.supports));
   simulation.stepper = stepper_named<d>(scene.method.integrator, simulation.solid);

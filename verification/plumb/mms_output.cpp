@@ -26,6 +26,8 @@ Json level_json(const mms::StudyLevel& level) {
   return row;
 }
 
+}  // namespace
+
 Json fit_json(const mms::StudyFit& fit) {
   const OrderFit& f = fit.fit;
   return {{"norm", fit.norm},
@@ -38,8 +40,6 @@ Json fit_json(const mms::StudyFit& fit) {
           {"modelling_floor", fit.modelling_floor},
           {"verdict", fit.verdict}};
 }
-
-}  // namespace
 
 Json json_of(const Study& study, const mms::StudyResult& result) {
   Json levels = Json::array(), fits = Json::array();

@@ -15,6 +15,9 @@ nlohmann::ordered_json solutions_json();
 /// One object per solution, dimension and material.
 nlohmann::ordered_json json_of(const std::vector<mms::SolutionCheck>& checks);
 
+/// One fitted order: "norm", "order", "ci95", "pairwise", "drift", "levels", "declared", "verdict".
+nlohmann::ordered_json fit_json(const mms::StudyFit& fit);
+
 /// Errors over spacing, one line per norm, with the triangle of the declared order.
 reports::Picture study_picture(const Study& study, const mms::StudyResult& result);
 

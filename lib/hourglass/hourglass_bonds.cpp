@@ -1,0 +1,89 @@
+#include "plumbline/hourglass/hourglass_bonds.hpp"
+
+namespace plumb {
+namespace {
+
+/// Calls use(j, n, X_ij): slot of the neighbour, place of the bond in arrays of one value per bond and lane.
+template <int d, class Use>
+void for_each_bond(const BondTable<d>& t, Index slot, Use&& use) {
+  const Index row = t.row[slot / t.width], lane = slot % t.width;
+  for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
+    Vec<d> X;
+    for (int a = 0; a < d; ++a) X[a] = t.separation[(n * d + a) * t.width + lane];
+    if (X.squaredNorm() > 0) use(slot + t.offset[n], n * t.width + lane, X);
+  }
+}
+
+}  // namespace
+
+template <int d>
+HourglassBonds hourglass_bonds(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha) {
+  const BondTable<d>& t = solid.bonds;
+  const double h = solid.smoothing_length, mu = solid.elastic.shear_modulus();
+  HourglassBonds k;
+  k.own.assign(t.offset.size() * static_cast<std::size_t>(t.width), 0.0);
+  k.other = k.own;
+  k.per_volume.assign(t.slots.count(), 0.0);
+  std::vector<double> sum(t.slots.count(), 0.0);  // of V W h^d
+  for (Index p = 0; p < solid.cloud.size(); ++p) {
+    const Index i = t.slots.of(p);
+    k.per_volume[i] = 1 / solid.volume[i];
+    sum[i] = solid.volume[i] * kernel.w(0);
+    for_each_bond(
+        t, i, [&](Index j, Index, const Vec<d>& X) { sum[i] += solid.volume[j] * kernel.w(X.norm() / h); });
+  }
+  for (Index p = 0; p < solid.cloud.size(); ++p) {
+    const Index i = t.slots.of(p);
+    for_each_bond(t, i, [&](Index j, Index n, const Vec<d>& X) {
+      const double pair =
+          alpha * mu * solid.volume[i] * solid.volume[j] * kernel.w(X.norm() / h) / X.squaredNorm();
+      k.own[n] = pair / sum[i];
+      k.other[n] = pair / sum[j];
+    });
+  }
+  return k;
+}
+
+/// With u_ij - G_i X_ij = sum_m D_jm u_m over the particle and its neighbours, K_i = sum_j k_ij D_j^T D_j in
+/// each component.
+template <int d>
+void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
+                             std::vector<StiffnessEntry>& entries) {
+  const BondTable<d>& t = solid.bonds;
+  std::vector<Index> particle(t.slots.count(), -1);
+  for (Index p = 0; p < solid.cloud.size(); ++p) particle[t.slots.of(p)] = p;
+  for (Index p = 0; p < solid.cloud.size(); ++p) {
+    std::vector<Index> unknown{p};
+    std::vector<double> springs;
+    std::vector<Vec<d>> X, c;
+    const Index i = t.slots.of(p), lane = i % t.width;
+    for_each_bond(t, i, [&](Index j, Index n, const Vec<d>& separation) {
+      unknown.push_back(particle[j]);
+      springs.push_back(k.own[n]);
+      X.push_back(separation);
+      Vec<d> stencil;
+      for (int a = 0; a < d; ++a) stencil[a] = t.stencil[(n / t.width * d + a) * t.width + lane];
+      c.push_back(stencil);
+    });
+    const Index n = static_cast<Index>(X.size());
+    Eigen::MatrixXd D = Eigen::MatrixXd::Zero(n, n + 1);
+    for (Index j = 0; j < n; ++j) {
+      for (Index m = 0; m < n; ++m) D(j, m + 1) = (m == j ? 1 : 0) - c[m].dot(X[j]);
+      D(j, 0) = -D.row(j).sum();
+    }
+    const Eigen::MatrixXd K =
+        D.transpose() * Eigen::Map<const Eigen::VectorXd>(springs.data(), n).asDiagonal() * D;
+    for (Index a = 0; a <= n; ++a)
+      for (Index b = 0; b <= n; ++b)
+        for (int e = 0; e < d; ++e) entries.push_back({d * unknown[a] + e, d * unknown[b] + e, K(a, b)});
+  }
+}
+
+template HourglassBonds hourglass_bonds<2>(const Solid<2>&, const RadialKernel<2>&, double);
+template HourglassBonds hourglass_bonds<3>(const Solid<3>&, const RadialKernel<3>&, double);
+template void add_hourglass_stiffness<2>(const Solid<2>&, const HourglassBonds&,
+                                         std::vector<StiffnessEntry>&);
+template void add_hourglass_stiffness<3>(const Solid<3>&, const HourglassBonds&,
+                                         std::vector<StiffnessEntry>&);
+
+}  // namespace plumb

@@ -1,0 +1,180 @@
+#include "mms/static_study.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "mms/manufactured.hpp"
+#include "plumbline/scene/simulation.hpp"
+#include "plumbline/statics/statics.hpp"
+
+namespace plumb::mms {
+namespace {
+
+double cpu_now() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+template <int d>
+Solid<d> solid_of(const Study& study, double spacing) {
+  Scene scene;
+  scene.dimension = d;
+  scene.max_steps = 1;
+  scene.body = with_spacing(study.body, spacing);
+  scene.material = study.material;
+  scene.method = study.method;
+  scene.hourglass = study.hourglass;
+  return make_simulation<d>(scene).solid;
+}
+
+/// Sides on which a particle lies: face 2 k is the lower one of axis k.
+template <int d, class Use>
+void for_faces_at(const Box<d>& box, const Vec<d>& X, Use&& use) {
+  for (int k = 0; k < d; ++k) {
+    const double below = X[k] - box.origin[k], above = box.size[k] - below, slack = 1e-9 * box.size[k];
+    if (below < slack) use(k, 2 * k);
+    if (above < slack) use(k, 2 * k + 1);
+  }
+}
+
+/// Displacements, their sources and the inertia of the solution at every particle.
+template <int d>
+struct Exact {
+  Eigen::VectorXd u, load;
+  double unbalanced = 0;  ///< |rho u_tt - Div P| / |rho u_tt|
+};
+
+template <int d>
+Exact<d> exact_at(const Manufactured<d>& solution, const Cloud<d>& cloud, double time) {
+  Exact<d> exact;
+  exact.u.resize(d * cloud.size());
+  exact.load.resize(d * cloud.size());
+  double unbalanced = 0, inertia = 0;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Motion<d> m = solution.motion(cloud.X[i], time);
+    const Vec<d> divergence = solution.stress_divergence(m);
+    exact.u.template segment<d>(d * i) = m.displacement;
+    exact.load.template segment<d>(d * i) = -cloud.V[i] * divergence;
+    unbalanced += (solution.density * m.acceleration - divergence).squaredNorm();
+    inertia += (solution.density * m.acceleration).squaredNorm();
+  }
+  exact.unbalanced = std::sqrt(unbalanced / inertia);
+  return exact;
+}
+
+template <int d>
+void measure_equilibrium(const Solid<d>& solid, const Linearised& body, const Exact<d>& exact,
+                         const Manufactured<d>& solution, double time, StaticLevel& level) {
+  const Cloud<d>& cloud = solid.cloud;
+  std::vector<Prescribed> prescribed;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    bool on_surface = false;
+    for_faces_at(cloud.box, cloud.X[i], [&](int, int) { on_surface = true; });
+    for (int k = 0; on_surface && k < d; ++k) prescribed.push_back({d * i + k, exact.u[d * i + k]});
+  }
+  const Eigen::VectorXd found = equilibrium(body.stiffness, exact.load, prescribed);
+  State<d> state = make_state(solid);
+  for (Index i = 0; i < cloud.size(); ++i)
+    set_vector<d>(state.u, solid.bonds.slots.of(i), found.template segment<d>(d * i));
+  const ExactField<d> field = [&](const Vec<d>& X) -> PointValue<d> {
+    const Motion<d> m = solution.motion(X, time);
+    return {m.displacement, m.F - Mat<d>::Identity()};
+  };
+  const NodalValues<d> values = nodal_values(solid, state);
+  const ErrorNorms error = nodal_norms<d>(cloud, values, field);
+  const ErrorNorms size = nodal_norms<d>(cloud, NodalValues<d>(values.size()), field);
+  level.l2 = error.l2 / size.l2;
+  level.h1 = error.h1 / size.h1;
+}
+
+/// Components that the solution's faces hold still.
+template <int d>
+std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain) {
+  std::vector<Index> held;
+  for (Index i = 0; i < cloud.size(); ++i)
+    for_faces_at(cloud.box, cloud.X[i], [&](int axis, int face) {
+      for (int k = 0; k < d; ++k) {
+        const FaceCondition& condition = domain.faces[static_cast<std::size_t>(face)];
+        if ((k == axis ? condition.normal : condition.tangential) == Known::displacement)
+          held.push_back(d * i + k);
+      }
+    });
+  return held;
+}
+
+/// Above this the solution needs a body force: an amplitude of 1e-3 of the body leaves about as much.
+constexpr double balanced = 1e-3;
+/// The guess is set apart from the exact frequency, where a perfect scheme would make the matrix singular.
+constexpr double guess = 0.99;
+
+template <int d>
+StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
+  StaticLevel level;
+  const double start = cpu_now();
+  const Solid<d> solid = solid_of<d>(study, spacing);
+  level.setup_s = cpu_now() - start;
+  level.n = solid.cloud.size();
+  level.d = spacing;
+  const double time = end_time(study);
+  const Exact<d> exact = exact_at(solution, solid.cloud, time);
+  const Linearised body = linearise(solid);
+  measure_equilibrium(solid, body, exact, solution, time, level);
+  if (exact.unbalanced < balanced) {
+    const double omega = 2 * std::acos(-1.0) / solution.period;
+    const Vibration found =
+        vibration_near(body, guess * omega, exact.u, held_unknowns(solid.cloud, solution.domain));
+    level.frequency_error = found.angular_frequency / omega - 1;
+  }
+  level.solve_s = cpu_now() - start - level.setup_s;
+  return level;
+}
+
+StudyFit fit_of(const std::string& norm, const std::vector<Level>& errors, std::optional<double> declared,
+                double floor) {
+  StudyFit out;
+  out.norm = norm;
+  out.declared = declared;
+  FitOptions options;
+  options.modelling_floor = out.modelling_floor = floor;
+  out.fit = fit_order(errors, options);
+  out.verdict = declared ? name_of(judge(out.fit, *declared)) : name_of(classify(out.fit));
+  return out;
+}
+
+template <int d>
+StaticResult run_in(const Study& study, const StudyProgress& progress) {
+  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
+  const auto solution = manufactured<d>(study.solution, study.parameters, elastic, study.material.model);
+  if (solution.domain.shape != Domain<d>::Shape::box || study.body.layout != Layout::node)
+    throw InputError("a static study needs a box with particles on its surface",
+                     "displacements are prescribed there", "Use layout = \"node\" and a solution on a box.");
+  StaticResult result;
+  std::vector<Level> l2, h1, frequency;
+  for (const double spacing : study.spacings) {
+    const StaticLevel level = run_level<d>(study, solution, spacing);
+    l2.push_back({spacing, level.l2});
+    h1.push_back({spacing, level.h1});
+    if (level.frequency_error) frequency.push_back({spacing, *level.frequency_error});
+    result.levels.push_back(level);
+    if (progress)
+      progress(static_cast<double>(result.levels.size()) / static_cast<double>(study.spacings.size()),
+               fmt::format("d = {:g} m", spacing));
+  }
+  const auto declared = [&](auto member) { return study.expect ? (*study.expect).*member : std::nullopt; };
+  result.fits = {fit_of("l2", l2, declared(&Expect::l2), 0), fit_of("h1", h1, declared(&Expect::h1), 0)};
+  if (frequency.size() == l2.size()) result.fits.push_back(fit_of("frequency", frequency, std::nullopt, 0));
+  result.status = status_of(result.fits);
+  return result;
+}
+
+}  // namespace
+
+StaticResult run_static_study(const Study& study, const StudyProgress& progress) {
+  if (study.dimension() == 2) return run_in<2>(study, progress);
+  if (study.dimension() == 3) return run_in<3>(study, progress);
+  throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
+                   "Give body.size two or three entries.");
+}
+
+}  // namespace plumb::mms

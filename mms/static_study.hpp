@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mms/study.hpp"
+
+namespace plumb::mms {
+
+/// One level of a static study. Norms are relative to those of the exact field.
+struct StaticLevel {
+  Index n = 0;   ///< particles
+  double d = 0;  ///< spacing [m]
+  double l2 = 0, h1 = 0;
+  /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
+  /// body force, so that it is a vibration.
+  std::optional<double> frequency_error;
+  double setup_s = 0;  ///< CPU time of the bond table [s]
+  double solve_s = 0;  ///< CPU time of assembly and solution [s]
+};
+
+struct StaticResult {
+  std::vector<StaticLevel> levels;
+  std::vector<StudyFit> fits;  ///< of l2, h1 and, if there is one, of the frequency
+  std::string status;          ///< as in StudyResult
+};
+
+/// The displacement of the solution at the study's end time as an equilibrium: exact displacements on the
+/// whole surface of the box, -Div P inside, one linear solution with the stiffness assembled from the bond
+/// table. And the vibration next to the solution's, with the solution's own conditions on the faces. Linear,
+/// so the amplitude should be small: it is the relative modelling error. Node layout only; throws InputError
+/// otherwise. Expect::l2 and h1 are the declared orders.
+StaticResult run_static_study(const Study& study, const StudyProgress& progress = {});
+
+}  // namespace plumb::mms

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "mms/manufactured.hpp"
+#include "mms/static_study.hpp"
+#include "plumb/commands.hpp"
+#include "plumb/mms_output.hpp"
+#include "plumb/session.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct StaticOptions {
+  std::string study;
+  std::vector<std::string> overrides;
+};
+
+Json level_json(const mms::StaticLevel& level) {
+  Json row{{"n", level.n}, {"d", level.d}, {"l2", level.l2}, {"h1", level.h1}};
+  if (level.frequency_error) row["frequency_error"] = *level.frequency_error;
+  row["setup_s"] = level.setup_s;
+  row["solve_s"] = level.solve_s;
+  return row;
+}
+
+int static_action(const Session& session, const StaticOptions& options) {
+  std::vector<std::string> names;
+  for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
+  const Study study = read_study(options.study, options.overrides, names);
+  Progress progress(study.name, session.progress());
+  const mms::StaticResult result = mms::run_static_study(
+      study, [&](double done, const std::string& note) { progress.update(done, note); });
+  progress.finish();
+  Json levels = Json::array(), fits = Json::array();
+  for (const auto& level : result.levels) levels.push_back(level_json(level));
+  for (const auto& fit : result.fits) {
+    fits.push_back(fit_json(fit));
+    session.text() << fmt::format("{:<9} order {:.3f} [{:.3f}, {:.3f}] from {} levels{}: {}\n", fit.norm,
+                                  fit.fit.order, fit.fit.lower, fit.fit.upper, fit.fit.levels.size(),
+                                  fit.declared ? fmt::format(", declared {:g}", *fit.declared) : "",
+                                  fit.verdict);
+  }
+  session.write_table(levels);
+  session.text() << "status: " << result.status << '\n';
+  session.write_json({{"study", study.name},
+                      {"solution", study.solution},
+                      {"levels", levels},
+                      {"fits", fits},
+                      {"status", result.status}});
+  return !study.expect || result.status == "pass" ? 0 : 1;
+}
+
+}  // namespace
+
+/// `plumb static`: a manufactured field as an equilibrium, and its vibration, with the assembled stiffness.
+void add_static(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<StaticOptions>();
+  CLI::App& command =
+      add_command(program, session,
+                  {"static", "convergence of a linear equilibrium and of a frequency",
+                   "plumb static verification/studies/static_plate.toml --json -"},
+                  {.table = true}, [&session, options] { return static_action(session, *options); });
+  command.add_option("study", options->study, "study file (TOML)")->required();
+  command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+}
+
+}  // namespace plumb
