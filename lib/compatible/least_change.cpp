@@ -10,11 +10,25 @@ namespace {
 using Factor = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
 
 /// Added to the diagonal, whose entries are of order 1. The smallest eigenvalues that matter belong to cubic
-/// fields and are of order (spacing/size)^6: 1e-10 on 50 particles across, so refinement converges fast.
-constexpr double shift = 1e-12;
+/// fields and are of order (spacing/size)^6, 6e-14 for 160 particles across; a refinement multiplies their
+/// part of the residual by shift/(eigenvalue + shift). Rounding may turn a pivot negative: then ten times as
+/// much.
+constexpr double least_shift = 1e-14, most_shift = 1e-10;
 /// Rounding of the sums of some 30 terms of order 1 that make a constraint.
 constexpr double round_off = 1e-14;
 constexpr int most_refinements = 60;
+
+/// Factorises the matrix with the least shift that works.
+void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
+  factor.analyzePattern(matrix);
+  for (double shift = least_shift; shift <= most_shift; shift *= 10) {
+    factor.setShift(shift);
+    factor.factorize(matrix);
+    if (factor.info() == Eigen::Success) return;
+  }
+  throw InputError("the compatible projection has no solution", "its matrix cannot be factorised",
+                   "use a larger beta");
+}
 
 /// One right-hand side per column, or all of them in one, particle by particle.
 template <int d>
@@ -39,12 +53,8 @@ template <int d>
 LeastChange least_change(AreaTable<d>& table, double volume_weight) {
   LeastChange result{};
   Factor factor;
-  factor.setShift(shift);
   const auto matrix = normal_matrix(table, volume_weight);
-  factor.compute(matrix);
-  if (factor.info() != Eigen::Success)
-    throw InputError("the compatible projection has no solution", "its matrix cannot be factorised",
-                     "use a larger beta");
+  factorise(factor, matrix);
   result.unknowns = matrix.rows();
   ConstraintValues wrong = missing(table);
   result.start_residual = result.residual = wrong.cwiseAbs().maxCoeff();
@@ -54,9 +64,9 @@ LeastChange least_change(AreaTable<d>& table, double volume_weight) {
     wrong = missing(table);
     ++result.refinements;
     const double residual = wrong.cwiseAbs().maxCoeff();
-    if (!(residual < result.residual)) break;  // no further than rounding
-    result.residual = residual;
-    best = table;
+    if (!(residual < 10 * result.residual)) break;  // rounding, or no solution
+    if (residual < result.residual) best = table;
+    result.residual = std::min(residual, result.residual);
   }
   table = std::move(best);
   return result;

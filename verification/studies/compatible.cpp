@@ -1,0 +1,202 @@
+// Compatible bonds (THEORY chapters 11, 12): order 2 on irregular clouds where no other scheme has it, no
+// locking, conservation, and the paper's cases without dissipation.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "mms/static_study.hpp"
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/simulation.hpp"
+
+using namespace plumb;
+
+namespace {
+
+mms::StaticResult static_plate(const std::vector<std::string>& overrides) {
+  return mms::run_static_study(
+      read_study(PLUMBLINE_SOURCE_DIR "/verification/studies/static_plate.toml", overrides));
+}
+
+void print(const std::string& name, const mms::StaticResult& result) {
+  const auto& fit = result.fits[0];
+  std::string errors;
+  for (const auto& level : result.levels) errors += fmt::format(" {:.3e}", level.l2);
+  std::cout << fmt::format("  {:34}{}  order {:5.2f} [{:5.2f}, {:5.2f}] {}\n", name, errors, fit.fit.order,
+                           fit.fit.lower, fit.fit.upper, fit.verdict);
+}
+
+}  // namespace
+
+TEST_CASE("compatible: static plate on irregular clouds, order 2 where the unprojected schemes fail",
+          "[compatible]") {
+  std::cout << "static plate, jitter 0.2, relative L2 error at d = 0.2, 0.1, 0.05, 0.025\n";
+  for (const char* seed : {"1", "2"}) {
+    const auto result = static_plate({std::string("body.seed=") + seed});
+    print(std::string("compatible, seed ") + seed, result);
+    CHECK(result.status == "pass");
+    CHECK(result.fits[0].fit.lower < 2.0);
+    CHECK(result.fits[0].fit.upper > 2.0);
+    CHECK(result.fits[1].fit.order > 0.9);  // H1
+    CHECK(result.levels.back().l2 < 1e-3);  // the unprojected ones have 4e-2 and more
+  }
+  const auto fixed = static_plate({"compatible.volumes=fixed"});
+  print("compatible, fixed volumes", fixed);
+  CHECK(fixed.status == "pass");
+  for (const char* gradient : {"standard", "improved"})
+    for (const char* momentum : {"adjoint", "symmetrised"}) {
+      const auto result = static_plate(
+          {std::string("method.gradient=") + gradient, std::string("method.momentum=") + momentum});
+      print(std::string(gradient) + ", " + momentum, result);
+      CHECK(result.status != "pass");
+      CHECK(result.levels.back().l2 > 1e-2);
+    }
+}
+
+TEST_CASE("compatible: d = 0.0125 and stronger jitter", "[compatible][long]") {
+  for (const char* jitter : {"0.1", "0.2", "0.3"}) {
+    const auto result =
+        static_plate({"study.spacings=[0.2,0.1,0.05,0.025,0.0125]", std::string("body.jitter=") + jitter});
+    print(std::string("compatible, jitter ") + jitter + ", to d = 0.0125", result);
+    CHECK(result.status == "pass");
+  }
+}
+
+TEST_CASE("compatible: the frequency of the swinging plate does not lock", "[compatible]") {
+  const double expected[] = {-1.637e-2, -4.107e-3, -1.028e-3};  // an independent prototype (method.md, 3)
+  for (const char* poisson : {"0.3", "0.495", "0.4999"}) {
+    const auto result = static_plate(
+        {"body.jitter=0", "study.spacings=[0.2,0.1,0.05]", std::string("material.poisson=") + poisson});
+    for (std::size_t n = 0; n < 3; ++n)
+      CHECK(*result.levels[n].frequency_error == Approx(expected[n]).epsilon(1e-3));  // its four digits
+  }
+}
+
+TEST_CASE("compatible: hourglass energy adds stiffness of second order", "[compatible][hourglass]") {
+  for (const char* alpha : {"0.5", "2"}) {
+    const auto result = static_plate({std::string("hourglass.alpha=") + alpha});
+    print(std::string("with hourglass energy, alpha ") + alpha, result);
+    CHECK(result.status == "pass");
+  }
+}
+
+namespace {
+
+Scene spinning_cube(double time_step, long steps) {
+  Scene scene;
+  scene.dimension = 3;
+  scene.max_steps = steps;
+  scene.body.size = {1, 1, 1};
+  scene.body.spacing = 0.2;
+  scene.body.jitter = 0.2;
+  scene.material = {"neo-hookean", 17e6, 0.3, 1100};
+  scene.method.gradient = "compatible";
+  scene.method.time_step = time_step;
+  scene.method.cfl = std::nullopt;
+  scene.hourglass = Hourglass{0.5};
+  scene.initial = Initial{{}, std::array<double, 3>{0, 0, 105}};
+  return scene;
+}
+
+struct Drift {
+  double energy = 0, angular = 0, linear = 0;  ///< largest, relative
+};
+
+Drift drift_of(const Scene& scene, long every) {
+  Simulation<3> simulation = make_simulation<3>(scene);
+  const double energy = energy_of(simulation.solid, simulation.state).total();
+  const Momentum start = momentum_of(simulation.solid, simulation.state);
+  Drift drift;
+  const Observer<3> observe = [&](const Solid<3>& solid, const State<3>& state) {
+    if (state.step % every != 0) return true;
+    const Momentum now = momentum_of(solid, state);
+    drift.energy = std::max(drift.energy, std::abs(energy_of(solid, state).total() / energy - 1));
+    for (int k = 0; k < 3; ++k) {
+      drift.angular =
+          std::max(drift.angular, std::abs(now.angular[k] - start.angular[k]) / start.angular_scale);
+      drift.linear = std::max(drift.linear, std::abs(now.linear[k] - start.linear[k]) / start.linear_scale);
+    }
+    return true;
+  };
+  REQUIRE(
+      run(simulation.solid, simulation.state, simulation.stepper, simulation.control, observe).completed());
+  return drift;
+}
+
+}  // namespace
+
+// Velocity Verlet keeps angular momentum to round-off if the forces have no torque, and energy to dt^2.
+TEST_CASE("compatible: a spinning irregular cube keeps momenta, and energy to second order", "[compatible]") {
+  std::vector<Level> levels;
+  for (const double dt : {2e-4, 1e-4, 5e-5, 2.5e-5}) {
+    const Drift drift = drift_of(spinning_cube(dt, std::lround(0.02 / dt)), 1);
+    std::cout << fmt::format(
+        "spinning cube, jitter 0.2, dt {:.1e}: energy {:.3e}, angular {:.1e}, linear {:.1e}\n", dt,
+        drift.energy, drift.angular, drift.linear);
+    CHECK(drift.angular < 1e-13);  // some hundred steps of round-off
+    CHECK(drift.linear < 1e-13);
+    levels.push_back({dt, drift.energy});
+  }
+  const OrderFit fit = fit_order(levels);
+  std::cout << fmt::format("  order of the energy error {:.3f} [{:.3f}, {:.3f}]\n", fit.order, fit.lower,
+                           fit.upper);
+  CHECK(judge(fit, 2.0) == Verdict::pass);
+}
+
+TEST_CASE("compatible: 100000 steps of a spinning irregular cube", "[compatible][long]") {
+  const Drift drift = drift_of(spinning_cube(1e-4, 100000), 100);
+  std::cout << fmt::format("spinning cube, 100000 steps: energy {:.3e}, angular {:.1e}, linear {:.1e}\n",
+                           drift.energy, drift.angular, drift.linear);
+  CHECK(drift.energy < 1e-3);    // bounded, as for every symplectic integrator: not a drift
+  CHECK(drift.angular < 1e-11);  // 1e5 roundings of 1e-16
+  CHECK(drift.linear < 1e-11);
+}
+
+namespace {
+
+struct Outcome {
+  bool completed;
+  double energy_change, hourglass_share;
+};
+
+Outcome outcome_of(const std::string& scene_file, const std::vector<std::string>& overrides) {
+  Simulation<3> simulation =
+      make_simulation<3>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene_file, overrides));
+  const double energy = energy_of(simulation.solid, simulation.state).total();
+  const auto result = run(simulation.solid, simulation.state, simulation.stepper, simulation.control);
+  const double change = energy > 0 ? energy_of(simulation.solid, simulation.state).total() / energy - 1 : 0;
+  const Outcome outcome{result.completed(), change, hourglass_share(simulation.solid, simulation.state)};
+  std::string text;
+  for (const auto& o : overrides) text += " " + o;
+  std::cout << fmt::format("{}{}: {}, energy {:+.2e}, hourglass share {:.3f}\n", scene_file, text,
+                           outcome.completed ? "completed" : "failed", outcome.energy_change,
+                           outcome.hourglass_share);
+  return outcome;
+}
+
+}  // namespace
+
+// The bounds are those of issue 7, 4.4.
+TEST_CASE("compatible: twisting column, 105 rad/s", "[compatible]") {
+  for (const char* jitter : {"0", "0.2"}) {
+    const Outcome o =
+        outcome_of("twisting-column-105-compatible.toml", {std::string("body.jitter=") + jitter});
+    CHECK(o.completed);
+    CHECK(std::abs(o.energy_change) < 0.01);
+    CHECK(o.hourglass_share < 0.15);
+  }
+  // without the energy the share is 0.69 when the step collapses
+  CHECK(!outcome_of("twisting-column-105-compatible.toml", {"body.jitter=0", "hourglass.alpha=0"}).completed);
+}
+
+TEST_CASE("compatible: column pulled to 533 %", "[compatible][long]") {
+  for (const char* poisson : {"0.45", "0.495"})
+    for (const char* jitter : {"0", "0.2"}) {
+      const Outcome o =
+          outcome_of("pulling-column-compatible.toml",
+                     {std::string("body.jitter=") + jitter, std::string("material.poisson=") + poisson});
+      CHECK(o.completed);
+      CHECK(o.hourglass_share < 0.15);
+    }
+}
