@@ -74,6 +74,11 @@ std::string data_csv(const Picture& picture) {
   if (const auto* map = std::get_if<CategoryMap>(&picture.map))
     grid(*map,
          [map](int z) { return z < 0 ? std::string() : csv_text(map->names[static_cast<std::size_t>(z)]); });
+  if (const auto* map = std::get_if<PointMap>(&picture.map)) {
+    out += "x,y,value\n";
+    for (std::size_t k = 0; k < map->x.size(); ++k)
+      out += fmt::format("{},{},{}\n", cell(map->x[k]), cell(map->y[k]), cell(map->z[k]));
+  }
   if (picture.series.empty()) return out;
   if (!out.empty()) out += "\n";
   out += "series,x,y,low,high\n";

@@ -72,6 +72,15 @@ struct CategoryMap {
   std::vector<std::string> names;
 };
 
+/// A body as its particles: at (x[k], y[k]) a square of edge `size` (in units of the axes) coloured by z[k],
+/// later ones over earlier ones.
+struct PointMap {
+  std::vector<double> x, y, z;
+  double size = 1;
+  std::string label;
+  std::string unit = {};
+};
+
 /// The whole picture. Sizes are in pixels; the default is readable on a telephone and two fit side by side on
 /// a desk.
 struct Picture {
@@ -81,7 +90,7 @@ struct Picture {
   Labels labels = Labels::ends;
   std::vector<SlopeTriangle> triangles = {};
   std::vector<ReferenceLine> lines = {};
-  std::variant<std::monostate, HeatMap, CategoryMap> map = {};
+  std::variant<std::monostate, HeatMap, CategoryMap, PointMap> map = {};
   bool equal_axes = false;  ///< one unit of x as long as one of y (outlines of bodies)
   int width = 560, height = 380;
 };

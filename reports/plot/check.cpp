@@ -65,6 +65,13 @@ void check(const Picture& picture) {
   check_axis(picture.y, "y");
   for (const auto& series : picture.series) check_series(series);
   if (const auto* map = std::get_if<HeatMap>(&picture.map)) check_map(*map, picture.x, picture.y);
+  if (const auto* map = std::get_if<PointMap>(&picture.map))
+    if (map->x.empty() || map->x.size() != map->y.size() || map->x.size() != map->z.size() ||
+        !(map->size > 0))
+      throw InputError("the body cannot be drawn",
+                       fmt::format("{} and {} positions, {} values, size {}", map->x.size(), map->y.size(),
+                                   map->z.size(), map->size),
+                       "Give one value for each position and a positive size.");
   if (const auto* map = std::get_if<CategoryMap>(&picture.map)) {
     check_map(*map, picture.x, picture.y);
     for (int z : map->z)

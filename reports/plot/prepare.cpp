@@ -71,6 +71,12 @@ void set_ranges(Prepared& p) {
   const bool has_map = !std::holds_alternative<std::monostate>(p.picture.map);
   if (const auto* map = std::get_if<HeatMap>(&p.picture.map)) add_map(*map);
   if (const auto* map = std::get_if<CategoryMap>(&p.picture.map)) add_map(*map);
+  if (const auto* map = std::get_if<PointMap>(&p.picture.map))
+    for (const double side : {-0.5, 0.5})
+      for (std::size_t k = 0; k < map->x.size(); ++k) {
+        x.add(map->x[k] + side * map->size);
+        y.add(map->y[k] + side * map->size);
+      }
   p.x = padded(x, p.picture.x, has_map ? 0 : 0.03);
   p.y = padded(y, p.picture.y, has_map ? 0 : 0.06);
 }
@@ -150,7 +156,8 @@ void set_margins(Prepared& p) {
     for (const auto& name : map->names) longest = std::max(longest, letters(name));
   const double wide = static_cast<double>(longest) * letter_px;
   const bool category = std::holds_alternative<CategoryMap>(picture.map);
-  if (std::holds_alternative<HeatMap>(picture.map)) p.margins.right = 92;
+  if (std::holds_alternative<HeatMap>(picture.map) || std::holds_alternative<PointMap>(picture.map))
+    p.margins.right = 92;
   if (picture.labels == Labels::legend || category) {
     const std::size_t entries =
         picture.series.size() + (category ? std::get<CategoryMap>(picture.map).names.size() : 0);

@@ -123,25 +123,45 @@ std::string cells(const Prepared& p, const Map& map, const std::string& name, Va
   return out + "EOD\n";
 }
 
+/// The palette and the bar that explains it.
+std::string colour_bar(const Prepared& p, bool log, const std::string& label) {
+  std::string out;
+  const double w = p.picture.width;
+  for (std::size_t k = 0; k < heat_stops.size(); ++k)
+    out += fmt::format("{}{} \"{}\"", k == 0 ? "set palette defined (" : ", ", k, heat_stops[k]);
+  out += fmt::format(")\n{}set cblabel {} noenhanced\n",
+                     log ? "set logscale cb\nset format cb \"10^{%T}\"\n" : "", literal(label));
+  return out +
+         fmt::format("set colorbox user origin screen {:.6f}, graph 0 size screen {:.6f}, graph 1 noborder\n",
+                     1 - 80 / w, 14 / w);
+}
+
+/// The particles of a body as squares, one line each.
+std::string body_cells(const PointMap& map) {
+  std::string out = "$body << EOD\n";
+  const double half = 0.5 * map.size;
+  for (std::size_t k = 0; k < map.x.size(); ++k)
+    if (std::isfinite(map.z[k]))
+      out += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", map.x[k], map.y[k],
+                         map.x[k] - half, map.x[k] + half, map.y[k] - half, map.y[k] + half, map.z[k]);
+  return out + "EOD\n";
+}
+
 /// Data and plot elements of the map; the elements are added to `plots`.
 std::string map_commands(const Prepared& p, std::vector<std::string>& plots) {
   std::string out;
   const std::string style = "using 1:2:3:4:5:6";
   if (const auto* map = std::get_if<HeatMap>(&p.picture.map)) {
     const bool log = map->scale == Scale::log;
-    const double w = p.picture.width;
-    for (std::size_t k = 0; k < heat_stops.size(); ++k)
-      out += fmt::format("{}{} \"{}\"", k == 0 ? "set palette defined (" : ", ", k, heat_stops[k]);
-    out += fmt::format(")\n{}set cblabel {} noenhanced\n",
-                       log ? "set logscale cb\nset format cb \"10^{%T}\"\n" : "",
-                       literal(with_unit(map->label, map->unit)));
-    out +=
-        fmt::format("set colorbox user origin screen {:.6f}, graph 0 size screen {:.6f}, graph 1 noborder\n",
-                    1 - 80 / w, 14 / w);
+    out += colour_bar(p, log, with_unit(map->label, map->unit));
     out += cells(p, *map, "map", [log](double z) {
       return std::isfinite(z) && !(log && z <= 0) ? fmt::format("{:.12g}", z) : std::string();
     });
     plots.push_back("$map " + style + ":7 with boxxyerror fs solid noborder lc palette notitle");
+  }
+  if (const auto* map = std::get_if<PointMap>(&p.picture.map)) {
+    out += colour_bar(p, false, with_unit(map->label, map->unit)) + body_cells(*map);
+    plots.push_back("$body " + style + ":7 with boxxyerror fs solid noborder lc palette notitle");
   }
   if (const auto* map = std::get_if<CategoryMap>(&p.picture.map))
     for (int c = 0; c < static_cast<int>(map->names.size()); ++c) {

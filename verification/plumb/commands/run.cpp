@@ -11,6 +11,7 @@
 #include "plumb/provenance.hpp"
 #include "plumb/run/budget_file.hpp"
 #include "plumb/run/checkpoints.hpp"
+#include "plumb/run/frame.hpp"
 #include "plumb/run/interrupt.hpp"
 #include "plumb/run/recorder.hpp"
 #include "plumb/run/scene_options.hpp"
@@ -140,6 +141,8 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
     session.text() << "  files in " << folder.string() << '\n';
   }
   session.write_json(json);
+  if (!session.csv.empty())
+    session.write_csv(Frame<d>(simulation.solid, simulation.state, scene.material).table());
   return result.completed() ? 0 : 1;
 }
 
@@ -155,8 +158,8 @@ void add_run(CLI::App& program, Session& session) {
   };
   CLI::App& command = add_command(
       program, session,
-      {"run", "run a scene", "plumb run verification/scenes/swinging-plate.toml --set body.spacing=0.1"}, {},
-      action);
+      {"run", "run a scene", "plumb run verification/scenes/swinging-plate.toml --set body.spacing=0.1"},
+      {.table = true}, action);
   add_scene_options(command, options->scene);
   command
       .add_option("--out", options->folder, "folder for series, particles and summary (default: out/NAME)")

@@ -60,6 +60,25 @@ void Frame<d>::write(ParticleSeries& series) const {
   series.write({time_, d, position_, fields});
 }
 
+template <int d>
+Table Frame<d>::table() const {
+  Table table;
+  for (const char* quantity : {"position", "displacement", "velocity"})
+    for (int k = 0; k < d; ++k)
+      table.columns.push_back(std::string(quantity) + " " + "xyz"[k] +
+                              (quantity[0] == 'v' ? " [m/s]" : " [m]"));
+  table.columns.insert(table.columns.end(), {"J", "pressure [Pa]", "von Mises stress [Pa]"});
+  for (std::size_t i = 0; i < determinant_.size(); ++i) {
+    std::vector<Cell> row;
+    for (const auto* vectors : {&position_, &displacement_, &velocity_})
+      row.insert(row.end(), vectors->begin() + static_cast<long>(i) * d,
+                 vectors->begin() + static_cast<long>(i + 1) * d);
+    row.insert(row.end(), {determinant_[i], pressure_[i], von_mises_[i]});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 template class Frame<2>;
 template class Frame<3>;
 

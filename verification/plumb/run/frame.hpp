@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "plumbline/output/particles.hpp"
+#include "plumbline/output/table.hpp"
 #include "plumbline/scene/scene.hpp"
 #include "plumbline/solid/solid.hpp"
 
@@ -17,6 +18,8 @@ class Frame {
 
   /// Writes it as the next file of the series.
   void write(ParticleSeries& series) const;
+  /// The same as a table, one row a particle.
+  Table table() const;
 
  private:
   double time_;

@@ -1,0 +1,245 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "reports/checks.hpp"
+#include "reports/results.hpp"
+#include "reports/section.hpp"
+
+namespace plumb::reports::sections {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A run whose last state is drawn: the particles projected along `depth`, `across` upwards.
+struct Body {
+  std::string id, name, scene;
+  std::vector<std::string> set;
+  char along, across, depth;  ///< axes; depth ' ' in 2D
+  double size;                ///< edge of a drawn particle [m]
+};
+
+std::vector<Body> short_bodies() {
+  return {{"spin", "Spinning plate, 50 × 50, 0.2 s", "spinning-plate", {}, 'x', 'y', ' ', 0.02},
+          {"column",
+           "Bending column, 5 × 5 × 30, adjoint, 0.45 s",
+           "bending-column",
+           {"method.momentum=adjoint", "scene.end_time=0.45"},
+           'z',
+           'y',
+           'x',
+           0.2},
+          {"pulling",
+           "Pulling column, nodes of 6 × 6 × 36 cells, W0, 1.2 s",
+           "pulling-column-nu-45",
+           {"body.layout=node", "body.particles=[7,7,37]", "method.pair=W0", "method.cfl=0.5",
+            "scene.end_time=1.2"},
+           'z',
+           'y',
+           'x',
+           0.2},
+          {"twisting",
+           "Twisting column, 105 rad/s, 7 × 7 × 42, 0.1 s",
+           "twisting-column-105",
+           {"method.cfl=0.4", "scene.end_time=0.1"},
+           'z',
+           'y',
+           'x',
+           0.143}};
+}
+
+/// The sizes and end times of the paper.
+std::vector<Body> long_bodies() {
+  std::vector<Body> all;
+  for (const int n : {50, 100, 200})
+    for (const double end : {0.2, 2.0})
+      all.push_back({fmt::format("spin-{}-{:g}", n, 10 * end),
+                     fmt::format("Spinning plate, {0} × {0}, {1} s", n, end),
+                     "spinning-plate",
+                     {fmt::format("body.particles=[{0},{0}]", n), fmt::format("scene.end_time={}", end)},
+                     'x',
+                     'y',
+                     ' ',
+                     1.0 / n});
+  all.push_back({"cube-50",
+                 "Spinning cube, 50³, 2 s",
+                 "spinning-cube",
+                 {"body.particles=[50,50,50]", "scene.end_time=2"},
+                 'x',
+                 'y',
+                 'z',
+                 0.02});
+  for (const int n : {10, 20})
+    for (const char* momentum : {"symmetrised", "adjoint"})
+      all.push_back({fmt::format("column-{}-{}", n, momentum),
+                     fmt::format("Bending column, {0} × {0} × {1}, {2}, 0.5 s", n, 6 * n, momentum),
+                     "bending-column",
+                     {fmt::format("body.particles=[{0},{0},{1}]", n, 6 * n),
+                      fmt::format("method.momentum={}", momentum)},
+                     'z',
+                     'y',
+                     'x',
+                     1.0 / n});
+  for (const char* nu : {"45", "495"})
+    for (const char* gradient : {"standard", "improved"})
+      all.push_back({fmt::format("pulling-{}-{}", nu, gradient),
+                     fmt::format("Pulling column, 12 × 12 × 72, ν = 0.{}, {} F", nu, gradient),
+                     fmt::format("pulling-column-nu-{}", nu),
+                     {fmt::format("method.gradient={}", gradient)},
+                     'z',
+                     'y',
+                     'x',
+                     0.083});
+  all.push_back({"twisting-300",
+                 "Twisting column, 300 rad/s, 11 × 11 × 66, 92.1 ms",
+                 "twisting-column-300",
+                 {},
+                 'z',
+                 'y',
+                 'x',
+                 0.09});
+  all.push_back({"twisting-400",
+                 "Twisting column, 400 rad/s, 12 × 12 × 72, 0.1 s",
+                 "twisting-column-400",
+                 {"jst.laplacian_factor=1"},
+                 'z',
+                 'y',
+                 'x',
+                 0.083});
+  return all;
+}
+
+std::vector<Body> all_bodies(bool long_run) {
+  auto all = short_bodies();
+  if (long_run)
+    for (auto& body : long_bodies()) all.push_back(std::move(body));
+  return all;
+}
+
+Job job_of(const Body& body) {
+  const std::string file = "verification/scenes/" + body.scene + ".toml";
+  Job job{body.id,
+          {"run", file, "--out", "{out}", "--csv", "{out}/last.csv", "--set", "output.vtk=false"},
+          {file}};
+  for (const auto& entry : body.set) job.arguments.insert(job.arguments.end(), {"--set", entry});
+  return job;
+}
+
+const std::vector<double>& column(const std::map<std::string, std::vector<double>>& table,
+                                  const std::string& name) {
+  const auto found = table.find(name);
+  if (found == table.end()) throw MissingResult("a table has no column \"" + name + "\"");
+  return found->second;
+}
+
+/// The last state, coloured by the von Mises stress; what is nearer to the reader is drawn later.
+Figure snapshot(const Results& results, const Body& body) {
+  const auto table = results.csv(body.id, "last.csv");
+  const auto axis = [&](char name) { return column(table, std::string("position ") + name + " [m]"); };
+  const auto &stress = column(table, "von Mises stress [Pa]"), along = axis(body.along),
+             across = axis(body.across);
+  std::vector<std::size_t> order(stress.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (body.depth != ' ') {
+    const auto depth = axis(body.depth);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return depth[a] < depth[b]; });
+  }
+  PointMap map{{}, {}, {}, body.size, "von Mises stress", "MPa"};
+  for (const std::size_t k : order) {
+    map.x.push_back(along[k]);
+    map.y.push_back(across[k]);
+    map.z.push_back(1e-6 * stress[k]);
+  }
+  Picture picture{body.name, {std::string(1, body.along), "m"}, {std::string(1, body.across), "m"}};
+  picture.map = std::move(map);
+  picture.equal_axes = true;
+  return {body.id + "-stress",
+          picture,
+          "Last state of the run, seen along " + std::string(1, body.depth == ' ' ? 'z' : body.depth) +
+              ": particles as squares of their spacing.",
+          {body.id}};
+}
+
+/// Angular momentum of spins, energies of the others.
+Figure history(const Results& results, const Body& body) {
+  const auto series = results.csv(body.id, "series.csv");
+  const auto& time = column(series, "time [s]");
+  Picture picture{body.name, {"time t", "s"}, {"energy", "kJ"}};
+  if (body.depth == ' ') {
+    picture.y = {"angular momentum left", "%"};
+    std::vector<double> percent;
+    const auto& L = column(series, "angular momentum z [kg m/s]");
+    for (const double value : L) percent.push_back(100 * value / L.front());
+    picture.series.push_back({"L/L₀", time, percent, Style::lines});
+    return {
+        body.id + "-angular", picture, "The paper: about 94 % left at 2 s on its coarsest grid.", {body.id}};
+  }
+  for (const char* part : {"kinetic", "strain", "total"}) {
+    std::vector<double> energy;
+    for (const double value : column(series, std::string(part) + " energy [J]"))
+      energy.push_back(1e-3 * value);
+    picture.series.push_back({part, time, energy, Style::lines});
+  }
+  return {body.id + "-history", picture, "Energies of the run above.", {body.id}};
+}
+
+DataTable table_of() {
+  return {"bodies-runs",
+          "Runs",
+          {{"case"},
+           {"particles", "", 0},
+           {"status"},
+           {"time", "s", 4},
+           {"steps", "", 0},
+           {"change of energy", "%", 3},
+           {"hourglass share", "", 2},
+           {"CPU time", "s", 3}},
+          {},
+          {},
+          {}};
+}
+
+Section write(const Results& results, const std::vector<Body>& all) {
+  Section s;
+  s.question = "What do the deformed bodies look like, and how long did the runs take?";
+  s.tables = {table_of()};
+  std::size_t completed = 0;
+  double cpu = 0;
+  for (const auto& body : all) {
+    const Json run = results.json(body.id);
+    const bool driven = body.scene.starts_with("pulling");
+    s.figures.push_back(snapshot(results, body));
+    s.figures.push_back(history(results, body));
+    s.tables[0].rows.push_back({body.name, number(run, "particles"), text(run, "status"), number(run, "time"),
+                                number(run, "steps"),
+                                driven ? Entry() : Entry(100 * number(run.at("energy"), "relative_change")),
+                                number(run, "hourglass_share"), number(run.at("timing"), "cpu_s")});
+    s.tables[0].jobs.push_back(body.id);
+    s.tables[0].figures.push_back(body.id + "-stress");
+    completed += text(run, "status") == "completed" ? 1 : 0;
+    cpu += number(run.at("timing"), "cpu_s");
+  }
+  s.checks.push_back({"the reduced runs complete", "all 4",
+                      fmt::format("{} of {} runs", completed, all.size()), pass_if(completed >= 4)});
+  s.answer = fmt::format("{} of {} runs complete; together they took {:.3g} s of CPU time.", completed,
+                         all.size(), cpu);
+  s.notes = {
+      "Runs in the paper's size are made with ./reports/make --long; their times stand in the table. "
+      "Runs that end early are drawn in their last good state."};
+  return s;
+}
+
+}  // namespace
+
+/// The deformed bodies of sections 5.2 to 5.5 of paper 000.
+SectionPlan bodies(bool long_run) {
+  const auto all = all_bodies(long_run);
+  SectionPlan plan{210, "bodies", "Deformed bodies", {}, [all](const Results& r) { return write(r, all); }};
+  for (const auto& body : all) plan.jobs.push_back(job_of(body));
+  return plan;
+}
+
+}  // namespace plumb::reports::sections
