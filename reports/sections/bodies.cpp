@@ -40,7 +40,7 @@ std::vector<Body> short_bodies() {
            'z',
            'y',
            'x',
-           0.2},
+           0.5},
           {"twisting",
            "Twisting column, 105 rad/s, 7 × 7 × 42, 0.1 s",
            "twisting-column-105",
@@ -159,7 +159,7 @@ Figure snapshot(const Results& results, const Body& body) {
   return {body.id + "-stress",
           picture,
           "Last state of the run, seen along " + std::string(1, body.depth == ' ' ? 'z' : body.depth) +
-              ": particles as squares of their spacing.",
+              ": particles as squares of about their spacing.",
           {body.id}};
 }
 

@@ -79,6 +79,16 @@ TEST(Picture, SvgIsWellFormedAndShowsEveryText) {
     EXPECT_NE(text.find(wanted), std::string::npos) << wanted << " is missing in " << text;
 }
 
+TEST(Picture, ABodyHasASquareForEveryParticleAndANamedColourBar) {
+  Picture p{"body", {"x", "m"}, {"y", "m"}};
+  p.map = PointMap{{0, 1, 2}, {0, 0, 1}, {10, 20, nan}, 0.5, "von Mises stress", "MPa"};
+  p.equal_axes = true;
+  EXPECT_NE(svg(p).find("von Mises stress [MPa]"), std::string::npos);
+  EXPECT_EQ(data_csv(p).substr(0, 16), "x,y,value\n0,0,10");
+  std::get<PointMap>(p.map).z.pop_back();
+  EXPECT_THROW(svg(p), InputError);
+}
+
 TEST(Picture, SamePictureGivesTheSameBytes) {
   EXPECT_EQ(svg(convergence()), svg(convergence()));
 }
