@@ -22,7 +22,7 @@ struct Refinement {
 /// The plate at strains of 0.3: layouts and what is prescribed at its edge.
 std::vector<Refinement> edges(bool long_run) {
   const std::string spacings =
-      long_run ? "study.spacings=[0.2,0.1,0.05,0.025,0.0125]" : "study.spacings=[0.2,0.1,0.05,0.025]";
+      long_run ? "study.spacings=[0.2,0.1,0.05,0.025,0.0125]" : "study.spacings=[0.2,0.1,0.05,0.04]";
   struct Edge {
     std::string id, name;
     std::vector<std::string> set;
@@ -95,7 +95,8 @@ Figure figure_of(const Results& results, const std::string& id, const std::strin
   figure.picture.height = 480;
   for (const auto& entry : entries) {
     Series series{entry.name, {}, {}};
-    for (const auto& level : results.json(entry.id).at("levels"))
+    const Json result = results.json(entry.id);
+    for (const auto& level : result.at("levels"))
       if (!level.at("l2").is_null())
         series.x.push_back(number(level, "d")), series.y.push_back(number(level, "l2"));
     if (!series.x.empty()) figure.picture.series.push_back(series);
