@@ -115,9 +115,9 @@ Figure time_figure(const Json& time) {
                 {"mms-time"}};
   figure.picture.labels = Labels::legend;
   for (const auto& fit : time.at("fits")) {
-    figure.picture.triangles.push_back({number(fit, "declared"), figure.picture.series.size()});
-    figure.picture.series.push_back(series_of(time.at("rows"), {{"integrator", text(fit, "integrator")}},
-                                              "dt", "l2", text(fit, "integrator")));
+    figure.picture.series.push_back(
+        series_of(time.at("rows"), {{"integrator", text(fit, "integrator")}}, "dt", "l2",
+                  fmt::format("{}: order {:.2f}", text(fit, "integrator"), number(fit, "order"))));
   }
   figure.picture.lines.push_back({number(time, "spatial_error"), "error in space"});
   return figure;

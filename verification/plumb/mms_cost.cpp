@@ -156,9 +156,8 @@ reports::Picture temporal_picture(const Study& study, const mms::TemporalResult&
   picture.y = {"L2 difference to the fine-step run", "", reports::Scale::log};
   picture.labels = reports::Labels::legend;
   for (const auto& order : result.orders) {
-    picture.triangles.push_back({order.declared, picture.series.size()});
     reports::Series series;
-    series.label = order.integrator;
+    series.label = fmt::format("{}: order {:.2f}", order.integrator, order.fit.order);
     for (const auto& level : order.levels) series.x.push_back(level.spacing), series.y.push_back(level.error);
     picture.series.push_back(series);
   }
