@@ -57,6 +57,20 @@ Cloud<2> polar_cloud(double inner, double outer, double spacing) {
   return cloud;
 }
 
+Surface<2> polar_surface(const Cloud<2>& polar, double inner, double outer) {
+  const double middle = (inner + outer) / 2;
+  Index around = 0;  // particles of the first ring
+  while (polar.X[around].norm() < inner + 1e-9 * middle) ++around;
+  const Index last = polar.size() - around;
+  SurfaceMesh<2> mesh;
+  for (Index m = 0; m < around; ++m) {
+    const Index next = (m + 1) % around;
+    mesh.push_back({next, m});  // the body lies outside of the inner circle
+    mesh.push_back({last + m, last + next});
+  }
+  return mesh_surface<2>(polar, mesh);
+}
+
 Cloud<2> clipped_cloud(double inner, double outer, double spacing) {
   check(inner, outer, spacing);
   Cloud<2> cloud = empty_cloud(outer, spacing);

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/geometry/cloud.hpp"
+#include "plumbline/compatible/mesh_surface.hpp"
 
 namespace plumb::mms {
 
@@ -7,6 +7,9 @@ namespace plumb::mms {
 /// circles: equal steps in R of about `spacing`, the same number of particles on every ring, `spacing` apart
 /// on the middle one. Volumes are exact ring sectors, half as deep on the circles. Not a lattice.
 Cloud<2> polar_cloud(double inner, double outer, double spacing);
+
+/// The two polygons whose corners are the first and the last ring of a polar cloud.
+Surface<2> polar_surface(const Cloud<2>& polar, double inner, double outer);
 
 /// The square lattice of cells of size `spacing` around the origin, clipped: a particle in each cell whose
 /// middle lies in the annulus. Its volume is the part of the cell inside; parts of cells without a particle

@@ -54,8 +54,11 @@ Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution,
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
     if (domain.shape == Domain<d>::Shape::annulus) {
-      const auto make = study.body.layout == Layout::node ? &polar_cloud : &clipped_cloud;
-      return make_simulation<d>(scene, make(domain.inner, domain.outer, spacing));
+      if (study.body.layout != Layout::node)
+        return make_simulation<d>(scene, clipped_cloud(domain.inner, domain.outer, spacing));
+      Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
+      const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
+      return make_simulation<d>(scene, std::move(polar), std::optional(surface));
     }
   }
   return make_simulation<d>(scene);

@@ -93,6 +93,19 @@ StepControl step_control(const Scene& scene) {
 }
 
 template <int d>
+void make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
+                        const std::optional<Surface<d>>& surface) {
+  if (!surface)
+    throw InputError("gradient = \"compatible\" on these particles",
+                     "the surface of their shape is not known: they do not lie on it",
+                     "use particles on the boundary (layout = \"node\") or another gradient");
+  CompatibleOptions<d> how;
+  if (compatible.volumes == "fixed") how.volume_weight = 0;
+  how.surface = [surface](const Cloud<d>&) { return *surface; };
+  project_compatible(options, how);
+}
+
+template <int d>
 void add_jst(Simulation<d>& simulation, const Scene& scene) {
   const JstOptions options{scene.jst->eta2, scene.jst->eta4};
   add_term(simulation.solid, jst_term(simulation.solid, options));
@@ -134,11 +147,6 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   options.pair = pair_named(scene.method.pair);
   const bool compatible = scene.method.gradient == "compatible";
   options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
-  if (compatible) {
-    CompatibleOptions<d> how;
-    if (scene.method.compatible.volumes == "fixed") how.volume_weight = 0;
-    project_compatible(options, how);
-  }
   options.momentum = momentum_form_named<d>(scene.method.momentum);
   if (scene.jst) {
     options.laplacian = true;
@@ -150,13 +158,17 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
 
 template <int d>
 Simulation<d> make_simulation(const Scene& scene) {
-  return make_simulation<d>(scene, make_cloud<d>(scene.body));
+  Cloud<d> cloud = make_cloud<d>(scene.body);
+  std::optional<Surface<d>> surface;
+  if (scene.method.gradient == "compatible") surface = box_surface(cloud);
+  return make_simulation<d>(scene, std::move(cloud), surface);
 }
 
 template <int d>
-Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud) {
+Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::optional<Surface<d>>& surface) {
   const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
-  const BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
+  BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
+  if (scene.method.gradient == "compatible") make_it_compatible(options, scene.method.compatible, surface);
   Simulation<d> simulation;
   simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
   simulation.state = make_state(simulation.solid);
@@ -197,8 +209,8 @@ template BondOptions<2> bond_options<2>(const Scene&, double);
 template BondOptions<3> bond_options<3>(const Scene&, double);
 template Simulation<2> make_simulation<2>(const Scene&);
 template Simulation<3> make_simulation<3>(const Scene&);
-template Simulation<2> make_simulation<2>(const Scene&, Cloud<2>);
-template Simulation<3> make_simulation<3>(const Scene&, Cloud<3>);
+template Simulation<2> make_simulation<2>(const Scene&, Cloud<2>, const std::optional<Surface<2>>&);
+template Simulation<3> make_simulation<3>(const Scene&, Cloud<3>, const std::optional<Surface<3>>&);
 template std::vector<ArrayEntry> arrays_of<2>(const Simulation<2>&);
 template std::vector<ArrayEntry> arrays_of<3>(const Simulation<3>&);
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plumbline/boundary/supports.hpp"
+#include "plumbline/compatible/boundary_vectors.hpp"
 #include "plumbline/dissipation/jst.hpp"
 #include "plumbline/scene/scene.hpp"
 #include "plumbline/solid/run.hpp"
@@ -32,9 +33,11 @@ BondOptions<d> bond_options(const Scene& scene, double spacing);
 template <int d>
 Simulation<d> make_simulation(const Scene& scene);
 
-/// The same with particles that [body] cannot describe.
+/// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface, and
+/// InputError is thrown if it is not given.
 template <int d>
-Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud);
+Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud,
+                              const std::optional<Surface<d>>& surface = std::nullopt);
 
 /// One array of a simulation, for `plumb explain` and memory figures.
 struct ArrayEntry {

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/scene/simulation.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -36,6 +38,35 @@ TEST(ClippedCloud, FillsTheAnnulusUpToTheCutCells) {
     EXPECT_LT(sum, area);
     EXPECT_GT(sum, area * (1 - 0.8 * d));
   }
+}
+
+// A ring of curved shape passes the patch test with compatible bonds: no force inside under uniform stress.
+TEST(PolarCloud, IsMadeCompatible) {
+  const Cloud<2> cloud = polar_cloud(0.75, 1.25, 0.1);
+  const Surface<2> surface = polar_surface(cloud, 0.75, 1.25);
+  const double angle = 2 * 3.141592653589793 / 63;  // 63 particles around
+  EXPECT_NEAR(surface.volume, 63 * std::sin(angle) / 2 * (1.25 * 1.25 - 0.75 * 0.75), 1e-13);
+  EXPECT_LT(surface.centroid.norm(), 1e-13);
+  Scene scene;
+  scene.dimension = 2;
+  scene.max_steps = 1;
+  scene.material = {"neo-hookean", 17e6, 0.45, 1100};
+  scene.method.gradient = "compatible";
+  EXPECT_THROW(make_simulation<2>(scene, cloud), InputError);  // its surface must be given
+  auto simulation = make_simulation<2>(scene, cloud, std::optional(surface));
+  Solid<2>& solid = simulation.solid;
+  Mat<2> G;
+  G << 0.3, -0.1, 0.2, 0.1;
+  for (Index i = 0; i < cloud.size(); ++i) set_vector<2>(simulation.state.u, i, G * cloud.X[i]);
+  double worst = 0;
+  ASSERT_TRUE(evaluate(solid, simulation.state, 0, [&](const Block& block, BlockForce<2>& f) {
+    for (Index i = block.begin(); i < block.end(); ++i)
+      if (i >= 63 && i < cloud.size() - 63)
+        worst = std::max(worst, std::hypot(f(0, i), f(1, i)) * cloud.spacing / std::abs(solid.P[0][i]));
+  }));
+  EXPECT_LT(worst, 1e-10);  // issue 7
+  for (Index i = 0; i < cloud.size(); ++i)
+    EXPECT_LT((deformation_gradient_of(solid, simulation.state, i) - Mat<2>::Identity() - G).norm(), 1e-11);
 }
 
 TEST(Annulus, TooCoarseASpacingIsRefused) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "plumbline/compatible/constraints.hpp"
+#include "plumbline/compatible/mesh_surface.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/solids.hpp"
@@ -215,6 +216,17 @@ TYPED_TEST(CompatibleSolid, ForceIsMinusTheDerivativeOfTheEnergy) {
   const double h = 1e-5 * solid.cloud.spacing;
   const double slope = (energy_at(h) - energy_at(-h)) / (2 * h);
   EXPECT_NEAR(slope, -power, 1e-6 * size);  // step^2 and round-off/step, both about 1e-10 of the energy
+}
+
+TEST(MeshSurface, OfATetrahedron) {
+  Cloud<3> cloud;
+  cloud.X = {Vec<3>(1, 0, 0), Vec<3>(3, 0, 0), Vec<3>(1, 1, 0), Vec<3>(1, 0, 1)};
+  const Surface<3> surface = mesh_surface<3>(cloud, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  EXPECT_NEAR(surface.volume, 2.0 / 6, 1e-15);
+  EXPECT_LT((surface.centroid - Vec<3>(1.5, 0.25, 0.25)).norm(), 1e-15);
+  Vec<3> sum = Vec<3>::Zero();
+  for (const auto& facet : surface.facets) sum += facet.area;
+  EXPECT_LT(sum.norm(), 1e-15);
 }
 
 TEST(CompatibleErrors, ASurfaceThatDoesNotCloseIsRefused) {

@@ -37,6 +37,17 @@ TEST(CompatibleScene, IsBuiltWithEitherMomentumFormAndEitherTreatmentOfVolumes) 
       }
 }
 
+TEST(HourglassScene, LeavesNoTraceUnlessItIsNamed) {
+  const auto without = make_simulation<2>(parse_scene(scene_with("compatible"), "test.toml"));
+  EXPECT_TRUE(without.solid.terms.empty());
+  EXPECT_EQ(without.solid.F.components(), 0);
+  for (const char* alpha : {"0", "0.5"}) {
+    const auto with = make_simulation<2>(parse_scene(
+        scene_with("compatible", std::string("[hourglass]\nalpha = ") + alpha + "\n"), "test.toml"));
+    EXPECT_EQ(with.solid.terms.size(), alpha[0] == '0' && alpha[1] == 0 ? 0 : 1) << alpha;
+  }
+}
+
 TEST(CompatibleScene, ErrorsNameTheNearestKeyAndValue) {
   EXPECT_NE(message_of(scene_with("compatible", "[compatible]\nvolume = \"fixed\"\n")).find("volumes"),
             std::string::npos);
