@@ -53,12 +53,13 @@ void append_stencil_row(LatticeTable<d>& table, const BondTable<d>& bonds, Index
   table.single_begin.push_back(static_cast<std::int64_t>(table.single_offset.size()));
 }
 
-struct SumKey {
-  std::int32_t shift, component;
-  auto operator<=>(const SumKey&) const = default;
+/// One aligned stress: the weights by shift + most_shift and lane of the source.
+struct SourceKey {
+  std::int32_t component, aligned;
+  auto operator<=>(const SourceKey&) const = default;
 };
-/// Per sum and aligned offset the weights by lane of the source.
-using SourceRow = std::map<SumKey, std::map<std::int32_t, std::vector<double>>>;
+using ShiftWeights = std::vector<std::vector<double>>;
+using SourceMap = std::map<SourceKey, ShiftWeights>;
 
 /// offset = aligned + shift with |shift| <= width/2.
 std::int32_t shift_of(std::int32_t offset, int width) {
@@ -68,17 +69,17 @@ std::int32_t shift_of(std::int32_t offset, int width) {
 
 /// What the packs p-1, p, p+1 ask of sources that stand in pack p's place of their line.
 template <int d>
-SourceRow source_row(const BondTable<d>& bonds, Index p) {
+SourceMap sources_of(const BondTable<d>& bonds, Index p, int most_shift) {
   const int W = bonds.width;
-  SourceRow sources;
+  SourceMap sources;
   const auto ask = [&](Index target, std::int32_t offset, int component, double weight) {
     if (weight == 0) return;
     const std::int32_t shift = shift_of(offset, W);
     const Index place = target + shift;
     if (place / W != p) return;
-    auto& weights = sources[{shift, component}][offset - shift];
-    weights.resize(W, 0.0);
-    weights[place % W] += weight;
+    auto& weights = sources[{component, offset - shift}];
+    weights.resize(2 * most_shift + 1, std::vector<double>(W, 0.0));
+    weights[most_shift + shift][place % W] += weight;
   };
   for (Index pack = std::max<Index>(0, p - 1); pack <= std::min<Index>(p + 1, bonds.slots.packs() - 1);
        ++pack) {
@@ -93,47 +94,76 @@ SourceRow source_row(const BondTable<d>& bonds, Index p) {
   return sources;
 }
 
-/// Drops entries that are rounding errors of zero.
-void drop_negligible(SourceRow& sources) {
-  double scale = 0;
-  const auto largest = [](const std::vector<double>& weights) {
-    double most = 0;
-    for (const double w : weights) most = std::max(most, std::abs(w));
-    return most;
+/// E_0 .. E_m and O_1 .. O_m of one source, and which of them are more than rounding errors of zero.
+struct Parts {
+  std::vector<std::vector<double>> even, odd;
+  bool has_even = false, has_odd = false;
+};
+Parts parts_of(const ShiftWeights& weights, double negligible) {
+  const int m = static_cast<int>(weights.size() / 2);
+  const auto W = weights[0].size();
+  Parts parts{{weights[m]}, {}};
+  for (int k = 1; k <= m; ++k) {
+    parts.even.emplace_back(W);
+    parts.odd.emplace_back(W);
+    for (std::size_t lane = 0; lane < W; ++lane) {
+      parts.even.back()[lane] = 0.5 * (weights[m + k][lane] + weights[m - k][lane]);
+      parts.odd.back()[lane] = 0.5 * (weights[m + k][lane] - weights[m - k][lane]);
+    }
+  }
+  const auto counts = [&](const std::vector<std::vector<double>>& all) {
+    for (const auto& pack : all)
+      for (const double w : pack)
+        if (std::abs(w) > negligible) return true;
+    return false;
   };
-  for (const auto& [key, entries] : sources)
-    for (const auto& [offset, weights] : entries) scale = std::max(scale, largest(weights));
-  for (auto& [key, entries] : sources)
-    std::erase_if(entries, [&](const auto& entry) { return largest(entry.second) <= same * 1e-2 * scale; });
-  std::erase_if(sources, [](const auto& sum) { return sum.second.empty(); });
+  parts.has_even = counts(parts.even);
+  parts.has_odd = counts(parts.odd);
+  return parts;
 }
 
 template <int d>
-void append_force_row(LatticeTable<d>& table, const BondTable<d>& bonds, Index pack) {
-  SourceRow sources = source_row(bonds, pack);
-  drop_negligible(sources);
-  table.entry_begin.push_back(static_cast<std::int64_t>(table.entry_offset.size()));
-  for (const auto& [key, entries] : sources) {
-    for (const auto& [aligned, weights] : entries) {
-      table.entry_offset.push_back(aligned);
-      table.entry_weight.insert(table.entry_weight.end(), weights.begin(), weights.end());
+void append_source_row(LatticeTable<d>& table, const BondTable<d>& bonds, Index pack) {
+  const SourceMap sources = sources_of(bonds, pack, table.most_shift);
+  double scale = 0;
+  for (const auto& [key, weights] : sources)
+    for (const auto& by_lane : weights)
+      for (const double w : by_lane) scale = std::max(scale, std::abs(w));
+  typename LatticeTable<d>::SourceRow row{};
+  row.source = static_cast<std::int64_t>(table.sources.size());
+  row.weight = static_cast<std::int64_t>(table.source_weight.size());
+  const auto append = [&](bool even, bool odd) {
+    std::int32_t count = 0;
+    for (const auto& [key, weights] : sources) {
+      const Parts parts = parts_of(weights, same * 1e-2 * scale);
+      if (parts.has_even != even || parts.has_odd != odd) continue;
+      ++count;
+      table.sources.push_back({key.aligned, key.component});
+      if (even)
+        for (const auto& pack_of_weights : parts.even)
+          table.source_weight.insert(table.source_weight.end(), pack_of_weights.begin(),
+                                     pack_of_weights.end());
+      if (odd)
+        for (const auto& pack_of_weights : parts.odd)
+          table.source_weight.insert(table.source_weight.end(), pack_of_weights.begin(),
+                                     pack_of_weights.end());
     }
-    table.sums.push_back({key.shift, key.component, static_cast<std::int64_t>(table.entry_offset.size())});
-    table.most_shift = std::max(table.most_shift, std::abs(key.shift));
-  }
-  table.sum_begin.push_back(static_cast<std::int64_t>(table.sums.size()));
+    return count;
+  };
+  row.evens = append(true, false);
+  row.odds = append(false, true);
+  row.mixed = append(true, true);
+  table.source_rows.push_back(row);
 }
 
 }  // namespace
 
 template <int d>
 std::size_t LatticeTable<d>::bytes() const {
-  return (pair_stencil.size() + single_stencil.size() + entry_weight.size()) * sizeof(double) +
-         (pair_offset.size() + single_offset.size() + entry_offset.size() + force_row.size()) *
-             sizeof(std::int32_t) +
-         (pair_begin.size() + single_begin.size() + sum_begin.size() + entry_begin.size()) *
-             sizeof(std::int64_t) +
-         sums.size() * sizeof(Sum);
+  return (pair_stencil.size() + single_stencil.size() + source_weight.size()) * sizeof(double) +
+         (pair_offset.size() + single_offset.size() + force_row.size()) * sizeof(std::int32_t) +
+         (pair_begin.size() + single_begin.size()) * sizeof(std::int64_t) + sources.size() * sizeof(Source) +
+         source_rows.size() * sizeof(SourceRow);
 }
 
 template <int d>
@@ -144,15 +174,16 @@ LatticeTable<d> make_lattice_table(const BondTable<d>& bonds) {
   table.single_begin.push_back(0);
   for (Index row = 0; row < bonds.rows(); ++row) append_stencil_row(table, bonds, row);
 
+  for (const auto offset : bonds.offset)
+    table.most_shift = std::max(table.most_shift, std::abs(shift_of(offset, bonds.width)));
   ValueNumbering kinds;
-  table.sum_begin.push_back(0);
   for (Index p = 0; p < bonds.slots.packs(); ++p) {
     const auto row_at = [&](Index q) -> std::int64_t {
       return q < 0 || q >= bonds.slots.packs() ? -1 : bonds.row[q];
     };
     const auto [number, is_new] = kinds.number({row_at(p - 1), row_at(p), row_at(p + 1)});
     table.force_row.push_back(number);
-    if (is_new) append_force_row(table, bonds, p);
+    if (is_new) append_source_row(table, bonds, p);
   }
   return table;
 }

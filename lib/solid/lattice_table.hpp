@@ -15,8 +15,9 @@ namespace plumb {
 /// becomes
 ///     f(i) = sum_shift S_shift(i + shift),   S_shift(s) = sum_aligned P(s + aligned) a(s - shift, aligned +
 ///     shift):
-/// only the few sums S are read unaligned. Entries whose weight is zero on all lanes are left out (a third of
-/// them). THEORY (10.1)-(10.3).
+/// every stress is read once for all shifts, from an aligned address, and only the few sums S are read
+/// unaligned. With S_{+k} = E_k + O_k, S_{-k} = E_k - O_k a stress inside the body belongs to the E or to the
+/// O only, so that half of the products are gone. THEORY (10.1)-(10.4).
 template <int d>
 struct LatticeTable {
   int width = 1;
@@ -26,18 +27,21 @@ struct LatticeTable {
   AlignedVector pair_stencil, single_stencil;  ///< d x width per entry [1/m]
 
   // force; a row per kind of source pack
-  struct Sum {
-    std::int32_t shift;      ///< slot of the target's partner minus slot of the source's line position
+  struct Source {
+    std::int32_t offset;     ///< aligned
     std::int32_t component;  ///< b of P(a, b)
-    std::int64_t end;        ///< one past its last entry
   };
-  std::vector<std::int32_t> force_row;    ///< per pack
-  std::vector<std::int64_t> sum_begin;    ///< per force row, one more at the end
-  std::vector<std::int64_t> entry_begin;  ///< per force row: first entry of its first sum
-  std::vector<Sum> sums;
-  std::vector<std::int32_t> entry_offset;  ///< aligned
-  AlignedVector entry_weight;              ///< width per entry [1/m]
-  int most_shift = 0;
+  /// First the sources that belong to E_0 .. E_m (m+1 packs of weights each), then those of O_1 .. O_m (m
+  /// packs), then those of both (2m+1 packs: E, then O).
+  struct SourceRow {
+    std::int64_t source, weight;      ///< where its sources and its weights start
+    std::int32_t evens, odds, mixed;  ///< how many of each kind
+  };
+  int most_shift = 1;                   ///< m
+  std::vector<std::int32_t> force_row;  ///< per pack
+  std::vector<SourceRow> source_rows;
+  std::vector<Source> sources;
+  AlignedVector source_weight;  ///< packs of weights [1/m]
 
   std::size_t bytes() const;
 };

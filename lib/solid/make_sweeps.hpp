@@ -62,7 +62,7 @@ Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
     return energy_sweep<d, W>(material, gradient, block, volume);
   };
   s.force = [table](const BondTable<d>&, const Field& P, const Block& block, BlockForce<d>& force) {
-    lattice_force_sweep<d, W>(*table, P, block, force);
+    lattice_force_sweep<d>(*table, P, block, force);
   };
   s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };
   s.bytes = table->bytes();

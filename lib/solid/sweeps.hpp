@@ -92,30 +92,40 @@ double energy_sweep(const M& material, DeformationGradient&& deformation_gradien
   return total;
 }
 
+/// Squares of the current distances of one bond of one pack [m^2]; the largest double on lanes without it.
+template <int d, int W>
+inline Pack<W> square_distance(const BondTable<d>& bonds, const Field& u, Index pack, std::int64_t n) {
+  using Real = Pack<W>;
+  const Index i = pack * W;
+  const double* X = bonds.separation.data() + n * d * W;
+  Real square(0), reference(0);
+  for (int a = 0; a < d; ++a) {
+    const Real X_ij = Real::load(X + a * W);
+    const Real x_ij = X_ij + Real::load(u[a] + i + bonds.offset[n]) - Real::load(u[a] + i);
+    square += x_ij * x_ij;
+    reference += X_ij * X_ij;
+  }
+  const Real none(std::numeric_limits<double>::max());
+  return lesser_where_positive(square, none, reference);
+}
+
+template <int W>
+inline double least_lane(Pack<W> values) {
+  double least = values[0];
+  for (int lane = 1; lane < W; ++lane) least = std::min(least, values[lane]);
+  return least;
+}
+
 /// Square of the smallest current distance of neighbours in one block [m^2], each pair once.
 template <int d, int W>
 double distance_sweep(const BondTable<d>& bonds, const Field& u, const Block& block) {
-  using Real = Pack<W>;
-  Real least(std::numeric_limits<double>::max());
+  Pack<W> least(std::numeric_limits<double>::max());
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
-    const Index i = pack * W;
     const std::int32_t row = bonds.row[pack];
-    for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n) {
-      if (bonds.offset[n] < 0) continue;
-      const double* X = bonds.separation.data() + n * d * W;
-      Real square(0), reference(0);
-      for (int a = 0; a < d; ++a) {
-        const Real X_ij = Real::load(X + a * W);
-        const Real x_ij = X_ij + Real::load(u[a] + i + bonds.offset[n]) - Real::load(u[a] + i);
-        square += x_ij * x_ij;
-        reference += X_ij * X_ij;
-      }
-      least = lesser_where_positive(square, least, reference);
-    }
+    for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n)
+      if (bonds.offset[n] > 0) least = min(square_distance<d, W>(bonds, u, pack, n), least);
   }
-  double result = least[0];
-  for (int lane = 1; lane < W; ++lane) result = std::min(result, least[lane]);
-  return result;
+  return least_lane(least);
 }
 
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/sweeps.hpp"
+#include "plumbline/time/closest_pairs.hpp"
 
 namespace plumb {
 namespace {
@@ -14,12 +14,6 @@ constexpr std::array<std::pair<WaveSpeed, std::string_view>, 3> speed_names = {
     {{WaveSpeed::linear, "linear"},
      {WaveSpeed::stretch, "stretch"},
      {WaveSpeed::stretch_inverse, "stretch-inverse"}}};
-
-template <int d>
-double least_distance(const BondTable<d>& bonds, const Field& u, const Block& block) {
-  return bonds.width == 1 ? distance_sweep<d, 1>(bonds, u, block)
-                          : distance_sweep<d, native_width>(bonds, u, block);
-}
 
 /// Least principal stretch of every slot.
 template <int d>
@@ -52,14 +46,8 @@ WaveSpeed wave_speed_named(std::string_view name) {
 template <int d>
 double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed speed) {
   const double c = solid.elastic.wave_speed();
-  const Index blocks = solid.blocks();
+  if (speed == WaveSpeed::linear) return least_distance(solid, state) / c;
   double least = std::numeric_limits<double>::max();
-  if (speed == WaveSpeed::linear) {
-#pragma omp parallel for schedule(static) reduction(min : least) if (blocks >= blocks_for_threads)
-    for (Index b = 0; b < blocks; ++b)
-      least = std::min(least, least_distance(solid.bonds, state.u, solid.block(b)));
-    return std::sqrt(least) / c;
-  }
   const std::vector<double> stretch = least_stretches(solid, state);
   const BondTable<d>& t = solid.bonds;
 #pragma omp parallel for schedule(static) reduction(min : least)
