@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/time/closest_pairs.hpp"
 
 namespace plumb {
 namespace {
@@ -64,14 +65,23 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
 }
 
 template <int d>
+double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
+                      ClosestPairs<d>& closest) {
+  if (control.fixed_step || control.wave_speed != WaveSpeed::linear) return time_step(solid, state, control);
+  const double crossing = closest.distance(solid, state) / solid.elastic.wave_speed();
+  return std::min(control.cfl * crossing, solid.step_limit);
+}
+
+template <int d>
 RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
               const Observer<d>& observe, RunHistory& history) {
   RunResult result;
   if (control.energy_bound && !history.initial_energy)
     history.initial_energy = energy_of(solid, state).total();
   result.stopped = observe && !observe(solid, state);
+  ClosestPairs<d> closest;
   while (!result.stopped && !finished(state, control)) {
-    double dt = time_step(solid, state, control);
+    double dt = next_time_step(solid, state, control, closest);
     if (!(dt > control.collapse * history.dt.first)) {
       const Cause cause = std::isfinite(dt) ? Cause::time_step_collapse : Cause::non_finite;
       result.failure = Failure{state.time, state.step, cause, -1, dt, "time step"};
@@ -95,6 +105,8 @@ RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const
 
 template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
 template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl&);
+template double next_time_step<2>(const Solid<2>&, const State<2>&, const StepControl&, ClosestPairs<2>&);
+template double next_time_step<3>(const Solid<3>&, const State<3>&, const StepControl&, ClosestPairs<3>&);
 template RunResult run<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, const Observer<2>&,
                           RunHistory&);
 template RunResult run<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, const Observer<3>&,

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "plumbline/time/closest_pairs.hpp"
 #include "plumbline/time/integrator.hpp"
 #include "plumbline/time/time_step.hpp"
 
@@ -62,6 +63,11 @@ using Observer = std::function<bool(const Solid<d>&, const State<d>&)>;
 /// The time step that the control allows in this state [s], not yet cut at the end time.
 template <int d>
 double time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control);
+
+/// The same number, following the closest pairs from step to step.
+template <int d>
+double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
+                      ClosestPairs<d>& closest);
 
 /// Steps until the end. On failure the state is the last good one.
 template <int d>
