@@ -53,6 +53,13 @@ struct Pack {
     __builtin_memcpy(&p.lanes, from, sizeof(Lanes));
     return p;
   }
+  /// The same, for values that several products use: one load into a register, where GCC would make the load
+  /// part of every product.
+  static Pack load_once(const double* from) {
+    Pack p = load(from);
+    asm("" : "+v"(p.lanes));
+    return p;
+  }
   void store(double* to) const { __builtin_memcpy(to, &lanes, sizeof(Lanes)); }
   double operator[](int lane) const {
     double values[W];

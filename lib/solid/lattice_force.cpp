@@ -25,9 +25,9 @@ inline const double* add_sources(const typename LatticeTable<d>::Source* source,
   for (std::int32_t n = 0; n < count; ++n, weights += N * W) {
     const Index from = i + source[n].offset;
     Real weight[N];
-    for (int k = 0; k < N; ++k) weight[k] = Real::load(weights + k * W);
+    for (int k = 0; k < N; ++k) weight[k] = Real::load_once(weights + k * W);
     for (int a = 0; a < d; ++a) {
-      const Real stress = Real::load(P[a * d + source[n].component] + from);
+      const Real stress = Real::load_once(P[a * d + source[n].component] + from);
       for (int k = 0; k < N; ++k) sums[k][a] += stress * weight[k];
     }
   }

@@ -18,7 +18,7 @@ inline Mat<d, Pack<W>> lattice_deformation_gradient(const BondTable<d>& bonds, c
     for (int b = 0; b < d; ++b) F[a][b] = Real::load(bonds.identity.data() + ((row * d + a) * d + b) * W);
   const auto add = [&](const double* weights, auto&& difference) {
     Real weight[d];
-    for (int b = 0; b < d; ++b) weight[b] = Real::load(weights + b * W);
+    for (int b = 0; b < d; ++b) weight[b] = Real::load_once(weights + b * W);
     for (int a = 0; a < d; ++a) {
       const Real du = difference(a);
       for (int b = 0; b < d; ++b) F[a][b] += du * weight[b];

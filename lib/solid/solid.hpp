@@ -1,4 +1,7 @@
 #pragma once
+#include <omp.h>
+
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -26,7 +29,8 @@ template <int d>
 struct Term {
   std::string name;
   std::size_t bytes = 0;  ///< of its own arrays
-  /// Runs with the stress; may read displacement and velocity of any slot and write the term's own arrays.
+  /// Runs with the stress; may read displacement and velocity of slots that share a bond and write the term's
+  /// own arrays.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
   /// Adds to the stress of the block's own slots, after the material has set it: what is carried by the same
   /// bonds as the stress costs no second gather.
@@ -61,6 +65,15 @@ struct Work {
   std::int64_t particle_evaluations = 0;
   std::int64_t pair_evaluations = 0;
 };
+
+/// Contiguous blocks of one thread.
+struct Share {
+  Index first, last;
+};
+inline Share share_of_thread(Index blocks) {
+  const Index threads = omp_get_num_threads(), own = omp_get_thread_num();
+  return {blocks * own / threads, blocks * (own + 1) / threads};
+}
 
 /// Where the last evaluation found a deformation gradient without positive determinant.
 struct UnsoundParticle {
@@ -113,22 +126,59 @@ State<d> make_state(const Solid<d>& solid);
 template <int d>
 UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state);
 
+/// Stress of one block and what terms do with it; false if some J is not positive or not a number.
+template <int d>
+bool find_stress(Solid<d>& solid, const State<d>& state, const Block& block, double time) {
+  Field* F = solid.F.components() ? &solid.F : nullptr;
+  const bool sound = solid.sweeps.stress(solid.bonds, state.u, block, solid.P, F);
+  for (const auto& term : solid.terms) {
+    if (term.first) term.first(solid, block, state, time);
+    if (term.stress) term.stress(solid, block, state, solid.P);
+  }
+  return sound;
+}
+
+/// Force of one block; update(block, force) gets it, or stored_force.
+template <int d, class Update>
+void find_force(Solid<d>& solid, const State<d>& state, const Block& block, double time, Update&& update) {
+  BlockForce<d> force(block);
+  solid.sweeps.force(solid.bonds, solid.P, block, force);
+  for (const auto& term : solid.terms)
+    if (term.second) term.second(solid, block, state, time, force);
+  if (solid.stored_force.components() == 0) return update(block, force);
+  for (int k = 0; k < d; ++k)
+    std::copy_n(force.at(k, block.begin()), block.end() - block.begin(),
+                solid.stored_force[k] + block.begin());
+}
+
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
-/// update(block, force) for every block, which may change u and v of its own slots. Returns false, with
-/// nothing updated, if some J <= 0 or is not a number.
+/// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
+/// J <= 0 or is not a number; some blocks have then been updated, and the integrator goes back.
+///
+/// A block's force follows as soon as the stresses that it reads are known, while they are still in the
+/// cache: a thread goes through its share of the blocks once, the force `reach` blocks behind the stress.
+/// What reads beyond the share waits until all stresses are known. Every block gets the same numbers whatever
+/// the shares are.
 template <int d, class Update>
 bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
   const Index blocks = solid.blocks();
+  const Index reach = (solid.bonds.margin + block_slots - 1) / block_slots;
+  const auto force = [&](Index b) { find_force(solid, state, solid.block(b), time, update); };
   bool sound = true;
-  Field* F = solid.F.components() ? &solid.F : nullptr;
-#pragma omp parallel for schedule(static) reduction(&& : sound) if (blocks >= blocks_for_threads)
-  for (Index b = 0; b < blocks; ++b) {
-    const Block block = solid.block(b);
-    sound = solid.sweeps.stress(solid.bonds, state.u, block, solid.P, F) && sound;
-    for (const auto& term : solid.terms) {
-      if (term.first) term.first(solid, block, state, time);
-      if (term.stress) term.stress(solid, block, state, solid.P);
+#pragma omp parallel reduction(&& : sound) if (blocks >= blocks_for_threads)
+  {
+    const Share share = share_of_thread(blocks);
+    const Index inner = share.first == 0 ? 0 : std::min(share.first + reach, share.last);
+    const Index outer = share.last == blocks ? blocks : std::max(share.last - reach, inner);
+    Index next = inner;
+    for (Index b = share.first; b < share.last; ++b) {
+      sound = find_stress(solid, state, solid.block(b), time) && sound;
+      if (next < outer && next + reach <= b) force(next++);
     }
+    while (next < outer && share.last == blocks) force(next++);
+#pragma omp barrier
+    for (Index b = share.first; b < inner; ++b) force(b);
+    for (Index b = next; b < share.last; ++b) force(b);
   }
   solid.work.particle_evaluations += solid.bonds.slots.particles;
   solid.work.pair_evaluations += solid.bonds.pairs;
@@ -136,31 +186,15 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
     solid.unsound = find_unsound(solid, state);
     return false;
   }
-  const bool store = solid.stored_force.components() > 0;
+  if (solid.stored_force.components() == 0) return true;
 #pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
   for (Index b = 0; b < blocks; ++b) {
     const Block block = solid.block(b);
-    BlockForce<d> force(block);
-    solid.sweeps.force(solid.bonds, solid.P, block, force);
-    for (const auto& term : solid.terms)
-      if (term.second) term.second(solid, block, state, time, force);
-    if (store) {
-      for (int k = 0; k < d; ++k)
-        std::copy_n(force.at(k, block.begin()), block.end() - block.begin(),
-                    solid.stored_force[k] + block.begin());
-    } else {
-      update(block, force);
-    }
-  }
-  if (!store) return true;
-#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
-  for (Index b = 0; b < blocks; ++b) {
-    const Block block = solid.block(b);
-    BlockForce<d> force(block);
+    BlockForce<d> stored(block);
     for (int k = 0; k < d; ++k)
       std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
-                  force.at(k, block.begin()));
-    update(block, force);
+                  stored.at(k, block.begin()));
+    update(block, stored);
   }
   return true;
 }

@@ -20,26 +20,37 @@ auto with_width(const BondTable<d>& bonds, F&& f) {
   return f(std::integral_constant<int, native_width>{});
 }
 
-/// Diagonal of the box that holds the displacements since `reference` [m].
+std::vector<float> rounded(const Field& u, Index slots) {
+  std::vector<float> result(u.components() * slots);
+  for (int k = 0; k < u.components(); ++k)
+    for (Index i = 0; i < slots; ++i) result[k * slots + i] = static_cast<float>(u[k][i]);
+  return result;
+}
+
+/// Diagonal of the box that holds the displacements since `reference` [m], with what rounding to float may
+/// hide.
 template <int d>
-double relative_motion(const Solid<d>& solid, const Field& u, const Field& reference) {
-  double diagonal = 0;
+double relative_motion(const Solid<d>& solid, const Field& u, const std::vector<float>& reference) {
+  const Index slots = solid.bonds.slots.count();
+  double square = 0;
   for (int k = 0; k < d; ++k) {
-    double lower = std::numeric_limits<double>::max(), upper = -lower;  // empty slots count as at rest
+    double lower = std::numeric_limits<double>::max(), upper = -lower, largest = 0;
     const double* now = u[k];
-    const double* then = reference[k];
+    const float* then = reference.data() + k * slots;
 #pragma omp parallel for simd schedule(static) reduction(min      \
                                                          : lower) \
     reduction(max                                                 \
-              : upper) if (solid.blocks() >= blocks_for_threads)
-    for (Index i = 0; i < solid.bonds.slots.count(); ++i) {
-      const double moved = now[i] - then[i];
+              : upper, largest) if (solid.blocks() >= blocks_for_threads)
+    for (Index i = 0; i < slots; ++i) {
+      const double old = then[i], moved = now[i] - old;
       lower = std::min(lower, moved);
       upper = std::max(upper, moved);
+      largest = std::max(largest, std::abs(old));
     }
-    diagonal += (upper - lower) * (upper - lower);
+    const double side = upper - lower + largest * std::numeric_limits<float>::epsilon();
+    square += side * side;
   }
-  return std::sqrt(diagonal);
+  return std::sqrt(square);
 }
 
 }  // namespace
@@ -91,7 +102,7 @@ double ClosestPairs<d>::collect(const Solid<d>& solid, const State<d>& state) {
   if (!std::isfinite(least)) return least;
   const BondTable<d>& bonds = solid.bonds;
   reach_ = reach_of_least * least;
-  reference_ = state.u;
+  reference_ = rounded(state.u, bonds.slots.count());
   uses_ = 0;
   std::vector<std::vector<Candidate>> found(solid.blocks());
   with_width(bonds, [&](auto width) {

@@ -27,10 +27,10 @@ class ClosestPairs {
   double collect(const Solid<d>& solid, const State<d>& state);
 
   std::vector<Candidate> candidates_;
-  Field reference_;        ///< displacements when the candidates were collected [m]
-  double reach_ = 0;       ///< [m]
-  long uses_ = 0;          ///< of the present candidates
-  long plain_passes_ = 0;  ///< still to come before candidates are collected again
+  std::vector<float> reference_;  ///< displacements when the candidates were collected [m], by component
+  double reach_ = 0;              ///< [m]
+  long uses_ = 0;                 ///< of the present candidates
+  long plain_passes_ = 0;         ///< still to come before candidates are collected again
 };
 
 /// Smallest current distance of neighbours [m], by a pass over all pairs.

@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "plumbline/solid/solid.hpp"
 
@@ -18,8 +21,9 @@ struct Verlet {
     static constexpr int evaluations_per_step = 1;
     static constexpr double weights[] = {0.5};  // of the evaluation before the step, too
 
-    explicit Stepper(const Solid<d>& solid) : a_(solid.make_field(d)) {}
-    std::size_t bytes() const { return a_.bytes(); }
+    explicit Stepper(const Solid<d>& solid)
+        : a_(solid.make_field(d)), before_(solid.make_field(d)), kicked_(solid.blocks()) {}
+    std::size_t bytes() const { return a_.bytes() + before_.bytes(); }
     /// The acceleration [m/s^2] that the last step ended with. With terms that depend on the velocity it
     /// cannot be found again from the state: it was evaluated at the velocity of half a step before.
     const Field* carried() const { return started_ ? &a_ : nullptr; }
@@ -32,6 +36,7 @@ struct Verlet {
       if (!started_ && !accelerate(solid, state, 0)) return false;
       started_ = true;
       kick_and_drift(solid, state, dt);
+      std::swap(a_, before_);
       if (!accelerate(solid, state, dt)) {
         undo(solid, state, dt);
         return false;
@@ -45,6 +50,7 @@ struct Verlet {
     /// a(x, t + dt), then the second half kick.
     bool accelerate(Solid<d>& solid, State<d>& state, double dt) {
       const double per_mass = 1 / solid.elastic.density;
+      std::fill(kicked_.begin(), kicked_.end(), 0);
       return evaluate(solid, state, state.time + dt, [&](const Block& block, BlockForce<d>& force) {
         for (int k = 0; k < d; ++k) {
           double* v = state.v[k];
@@ -56,6 +62,7 @@ struct Verlet {
             v[i] += 0.5 * dt * a[i];
           }
         }
+        kicked_[block.begin() / block_slots] = 1;
       });
     }
 
@@ -78,14 +85,21 @@ struct Verlet {
 
     /// Back to the state before the step (to rounding), so that the last good one can be kept.
     void undo(const Solid<d>& solid, State<d>& state, double dt) {
-      for (int k = 0; k < d; ++k)
-        for (Index i = 0; i < solid.bonds.slots.count(); ++i) {
-          state.u[k][i] -= dt * state.v[k][i];
-          state.v[k][i] -= 0.5 * dt * a_[k][i];
-        }
+      for (Index b = 0; b < solid.blocks(); ++b) {
+        const Block block = solid.block(b);
+        for (int k = 0; k < d; ++k)
+          for (Index i = block.begin(); i < block.end(); ++i) {
+            if (kicked_[b]) state.v[k][i] -= 0.5 * dt * a_[k][i];
+            state.u[k][i] -= dt * state.v[k][i];
+            state.v[k][i] -= 0.5 * dt * before_[k][i];
+          }
+      }
+      std::swap(a_, before_);
     }
 
-    Field a_;
+    Field a_;                   ///< acceleration [m/s^2] at the end of the step
+    Field before_;              ///< at its beginning
+    std::vector<char> kicked_;  ///< per block: it has had its second half kick
     bool started_ = false;
   };
 };
