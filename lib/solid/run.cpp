@@ -39,6 +39,11 @@ std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& stat
 }
 
 template <int d>
+double step_for(const Solid<d>& solid, const StepControl& control, double crossing) {
+  return std::min(control.cfl * crossing, solid.step_limit);
+}
+
+template <int d>
 bool finished(const State<d>& state, const StepControl& control) {
   // 1e-12 of the end time: what rounding leaves of it after a million steps
   if (control.end_time && state.time >= *control.end_time * (1 - 1e-12)) return true;
@@ -61,15 +66,14 @@ void StepStatistics::count(double dt) {
 template <int d>
 double time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control) {
   if (control.fixed_step) return *control.fixed_step;
-  return std::min(control.cfl * crossing_time(solid, state, control.wave_speed), solid.step_limit);
+  return step_for(solid, control, crossing_time(solid, state, control.wave_speed));
 }
 
 template <int d>
 double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
                       ClosestPairs<d>& closest) {
   if (control.fixed_step || control.wave_speed != WaveSpeed::linear) return time_step(solid, state, control);
-  const double crossing = closest.distance(solid, state) / solid.elastic.wave_speed();
-  return std::min(control.cfl * crossing, solid.step_limit);
+  return step_for(solid, control, closest.distance(solid, state) / solid.elastic.wave_speed());
 }
 
 template <int d>
