@@ -71,6 +71,14 @@ void require_folder(const fs::path& path, std::string_view option) {
   if (::access(existing.c_str(), W_OK) != 0) refuse(std::strerror(errno));
 }
 
+void make_folder(const fs::path& path, std::string_view option) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error)
+    throw InputError(fmt::format("{}: cannot make the folder \"{}\"", option, path.string()), error.message(),
+                     "choose another place");
+}
+
 void replace_file(const fs::path& path, std::string_view content) {
   if (is_special(path)) {
     if (const int error = write_all(path, content)) throw_write_error(path, error);

@@ -22,6 +22,9 @@ void require_writable(const std::filesystem::path& path, std::string_view option
 /// InputError unless `path` is a folder that can be written or could be made. Nothing is made.
 void require_folder(const std::filesystem::path& path, std::string_view option);
 
+/// Makes the folder and those above it. InputError if that fails: the place was given by `option`.
+void make_folder(const std::filesystem::path& path, std::string_view option);
+
 /// Replaces the file at `path` by `content`: writes a new file beside it, flushes it to the disk and renames
 /// it, so that a reader sees the old content or the new one, never a part. Devices and pipes are written
 /// directly. Throws OutputError, and leaves the old file, when that fails.

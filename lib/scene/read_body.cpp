@@ -89,6 +89,10 @@ void resolve_lattice(const Section& section, Body& body, int dimension) {
 Body with_spacing(Body body, double d) {
   if (!(d > 0.0) || !std::isfinite(d))
     throw InputError(fmt::format("spacing {} m is not positive and finite", d), "it must be", "");
+  // volumes to the power of the dimension, and their squares in norms, must be numbers
+  if (d < 1e-50 || d > 1e50)
+    throw InputError(fmt::format("spacing {:g} m is beyond what can be computed with", d),
+                     "it is from 1e-50 to 1e50 m", "check the units");
   const double shortest = *std::min_element(body.size.begin(), body.size.end());
   if (d > shortest * (1.0 + divides))
     throw InputError("the body is empty",

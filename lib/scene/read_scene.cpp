@@ -1,5 +1,7 @@
 #include "plumbline/scene/read_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -16,6 +18,18 @@ void refuse_pointless_mirror(const Section& root, const Scene& scene) {
                               "ghosts stand behind rollers: there is nothing "
                               "to mirror",
                               "use cell");
+}
+
+/// An interval so short that there is no end of rows can only be a slip of units.
+void refuse_endless_output(const Section& root, const Scene& scene) {
+  if (!scene.output || !scene.end_time) return;
+  constexpr double most_rows = 1e9;
+  for (const auto& [key, interval] :
+       {std::pair("every", scene.output->every), {"checkpoint", scene.output->checkpoint}})
+    if (interval && *scene.end_time / *interval > most_rows)
+      root.section("output").fail(key,
+                                  fmt::format("{:.3g} intervals until end_time", *scene.end_time / *interval),
+                                  fmt::format("at most {:.0g}", most_rows), "check the units");
 }
 
 }  // namespace
@@ -51,6 +65,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.output = read_output(root, scene.body);
+  refuse_endless_output(root, scene);
   refuse_pointless_mirror(root, scene);
   return scene;
 }

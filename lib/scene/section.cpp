@@ -177,6 +177,19 @@ std::vector<long> Section::integers(const std::string& key, std::size_t count, l
   return all;
 }
 
+std::vector<std::string> Section::texts(const std::string& key) const {
+  std::vector<std::string> all;
+  for (const auto& item : array(key, 0, "strings or numbers").items) {
+    if (item.is(TomlValue::Kind::text))
+      all.push_back(item.text);
+    else if (item.is(TomlValue::Kind::integer) || item.is(TomlValue::Kind::real))
+      all.push_back(fmt::format("{}", item.number));
+    else
+      wrong_type(item, key, "strings or numbers");
+  }
+  return all;
+}
+
 Expression Section::as_formula(const TomlValue& value, const std::string& key, int dimension,
                                const Quantity& expected) const {
   if (!value.is(TomlValue::Kind::text) || looks_measured(value.text))
@@ -207,7 +220,9 @@ std::vector<Expression> Section::formulas(const std::string& key, int dimension,
 
 Section Section::section(const std::string& key) const {
   const TomlValue& value = required(key);
-  if (!value.is(TomlValue::Kind::table)) wrong_type(value, key, fmt::format("a section [{}]", dotted(key)));
+  if (!value.is(TomlValue::Kind::table))
+    wrong_type(value, key, fmt::format("a section [{}]", dotted(key)),
+               value.is(TomlValue::Kind::array) ? fmt::format("there is one [{}] only", dotted(key)) : "");
   return {value, dotted(key)};
 }
 

@@ -47,6 +47,8 @@ class Section {
   std::vector<double> numbers(const std::string& key, std::size_t count, const Quantity& expected,
                               Sign sign = Sign::any) const;
   std::vector<long> integers(const std::string& key, std::size_t count, long least) const;
+  /// An array of strings, numbers taken as they are written (to 17 digits); at least one.
+  std::vector<std::string> texts(const std::string& key) const;
   /// One formula in X, Y, Z; a bare number and a number with a unit are constants.
   Expression formula(const std::string& key, int dimension, const Quantity& expected) const;
   /// An array of `dimension` of them.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "plumbline/compatible/compatible.hpp"
@@ -56,6 +57,41 @@ std::vector<Support<d>> make_supports(const Cloud<d>& cloud, const Scene& scene)
       for (int k = 0; k < d; ++k) supports.push_back({i, k, velocity[k]});
     }
   return supports;
+}
+
+/// Two boundaries may meet in a particle if they say the same of each component.
+template <int d>
+void refuse_contradictions(const Cloud<d>& cloud, std::vector<Support<d>> supports) {
+  std::stable_sort(supports.begin(), supports.end(), [](const auto& a, const auto& b) {
+    return a.particle != b.particle ? a.particle < b.particle : a.component < b.component;
+  });
+  for (std::size_t n = 1; n < supports.size(); ++n) {
+    const auto &a = supports[n - 1], &b = supports[n];
+    const double apart = std::abs(a.velocity - b.velocity);
+    // 1e-9: the same velocity from two formulas
+    if (a.particle != b.particle || a.component != b.component ||
+        apart <= 1e-9 * std::max(std::abs(a.velocity), std::abs(b.velocity)))
+      continue;
+    std::string place;
+    for (int k = 0; k < d; ++k) place += fmt::format("{}{:.6g}", k ? ", " : "", cloud.X[a.particle][k]);
+    throw InputError(
+        fmt::format("boundaries contradict each other at particle {} at ({})", a.particle, place),
+        fmt::format("its {} velocity is to be {:g} and {:g} m/s", "xyz"[a.component], a.velocity, b.velocity),
+        "let only one of them hold there");
+  }
+}
+
+/// A step that rounding swallows would never end.
+void require_progress(double dt, const Scene& scene) {
+  if (!(dt > 0) || !std::isfinite(dt))
+    throw InputError(fmt::format("the time step would be {:g} s", dt),
+                     "sizes or stiffness are beyond the range of numbers",
+                     "check the units of body, material and method");
+  constexpr double most_steps = 1e15;  // below 2^53: every step still changes the time
+  if (scene.end_time && *scene.end_time / dt > most_steps)
+    throw InputError(fmt::format("{:.3g} steps to the end", *scene.end_time / dt),
+                     fmt::format("the time step is {:.3g} s, end_time {:.3g} s", dt, *scene.end_time),
+                     "use a larger cfl or time_step, or an earlier end");
 }
 
 template <int d>
@@ -179,6 +215,8 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::opt
   if (scene.jst) add_jst(simulation, scene);
   if (scene.hourglass && scene.hourglass->alpha > 0)
     add_term(simulation.solid, hourglass_term(simulation.solid, options.kernel, scene.hourglass->alpha));
+  refuse_contradictions<d>(simulation.solid.cloud, simulation.supports);
+  require_progress(time_step(simulation.solid, simulation.state, simulation.control), scene);
   if (!simulation.supports.empty())
     add_term(simulation.solid, support_term(simulation.solid, simulation.supports));
   simulation.stepper = stepper_named<d>(scene.method.integrator, simulation.solid);

@@ -40,6 +40,7 @@ std::string default_folder(const Scene& scene) {
   std::string name = scene.name;
   for (char& c : name)
     if (c == ' ' || c == '/') c = '-';
+  if (name.front() == '.') name.front() = '-';  // ".." is not a place for results
   return "out/" + name;
 }
 
@@ -121,11 +122,11 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
                      "run from the start, or --set output.budget=false");
   for (const auto& warning : simulation.warnings) session.warn(warning);
   RunBook book = from ? restore(*from, simulation) : begin_book(simulation);
+  if (keeps_files) make_folder(folder, "--out");
   if (keeps_files && !from) std::filesystem::remove(file);
   Recorder<d> recorder(scene, folder, simulation.solid, from ? std::optional(from->recorder) : std::nullopt);
   std::optional<Checkpoints<d>> checkpoints;
   if (keeps_files) {
-    std::filesystem::create_directories(folder);
     checkpoints.emplace(file, scene.output.value_or(Output{}).checkpoint, version_text(), settings);
   }
   std::optional<BudgetFile<d>> budget;

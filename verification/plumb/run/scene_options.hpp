@@ -20,6 +20,9 @@ struct SceneOptions {
 /// Adds SCENE.toml and --set to a subcommand.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
+/// Refuses a scene that needs more memory than the machine has, with the estimate. Throws InputError.
+void require_memory(const Scene& scene);
+
 /// Reads the scene and refuses one that needs more memory than the machine has, before any of it is taken.
 /// Throws InputError.
 Scene scene_of(const SceneOptions& options);

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "mms/manufactured.hpp"
+#include "plumb/commands.hpp"
+#include "plumb/run/scene_options.hpp"
+#include "plumb/session.hpp"
+#include "plumbline/output/file.hpp"
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/section.hpp"
+#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/study.hpp"
+#include "reports/run/process.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One mistake and what a user is told about it.
+struct BadInput {
+  std::string what;
+  std::string base;                    ///< the file that the mistake is made in: "scene" or "study"
+  std::string line, instead;           ///< of the file; both empty: as it is
+  std::vector<std::string> overrides;  ///< --set
+  std::vector<std::string> arguments;  ///< of a call of plumb; empty: the file is read and built
+  std::string message;
+};
+
+BadInput read_bad_input(const Section& section) {
+  BadInput bad;
+  bad.what = section.text("what");
+  bad.base = section.choice_or("base", "scene", {"scene", "study"});
+  if (section.has("line")) {
+    bad.line = section.text("line");
+    bad.instead = section.has("without") ? "" : section.text("instead");
+  }
+  if (section.has("set")) bad.overrides.push_back(section.text("set"));
+  if (section.has("call")) bad.arguments = CLI::detail::split_up(section.text("call"));
+  bad.message = section.text_or("message", "?");
+  section.reject_unknown();
+  return bad;
+}
+
+std::string with(const BadInput& bad, const std::map<std::string, std::string>& files) {
+  std::string text = files.at(bad.base);
+  if (bad.line.empty()) return text;
+  const auto place = text.find(bad.line);
+  if (place == std::string::npos)
+    throw InputError(bad.what + ": the " + bad.base + " has no line \"" + bad.line + "\"", "", "");
+  return text.replace(place, bad.line.size(), bad.instead);
+}
+
+std::vector<std::string> solution_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
+  return names;
+}
+
+/// Whether the text is the expected one, in which "<any>" stands for whatever depends on the machine.
+bool fits(const std::string& said, const std::string& expected) {
+  const std::string any = "<any>";
+  std::size_t at = 0, from = 0;
+  for (auto next = expected.find(any); next != std::string::npos; next = expected.find(any, from)) {
+    const std::size_t found = said.find(expected.substr(from, next - from), at);
+    if (found == std::string::npos || (from == 0 && found != 0)) return false;
+    at = found + next - from;
+    from = next + any.size();
+  }
+  const std::string rest = expected.substr(from);
+  return from == 0 ? said == expected : said.size() >= at + rest.size() && said.ends_with(rest);
+}
+
+/// What plumb says to the file: the message, or nothing if it is accepted.
+std::string refusal_of_file(const BadInput& bad, const std::string& text) {
+  try {
+    if (bad.base == "study") {
+      parse_study(text, "study.toml", bad.overrides, solution_names());
+      return "";
+    }
+    const Scene scene = parse_scene(text, "scene.toml", bad.overrides);
+    require_memory(scene);
+    with_dimension(scene, [&scene]<int d>() { return make_simulation<d>(scene).solid.cloud.size() > 0; });
+  } catch (const InputError& error) {
+    return std::string("plumb: ") + error.what();
+  }
+  return "";
+}
+
+/// What the program says to a command line, with its exit code if that is not 2.
+std::string refusal_of_call(const BadInput& bad, const std::string& scene) {
+  namespace fs = std::filesystem;
+  std::string name = (fs::temp_directory_path() / "plumbline_XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw OutputError("cannot make " + name);
+  const fs::path folder = name;
+  replace_file(folder / "scene.toml", scene);
+  const auto ended =
+      reports::run::run_program("/proc/self/exe", bad.arguments, folder, folder / "messages.txt");
+  std::string said = read_text((folder / "messages.txt").string());
+  fs::remove_all(folder);
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  return ended.exit_code == 2 ? said : fmt::format("exit code {}: {}", ended.exit_code, said);
+}
+
+int refusals(const Session& session, const std::string& table) {
+  const TomlValue document = parse_document(read_text(table), table);
+  const Section root(document, "");
+  const std::map<std::string, std::string> files{{"scene", root.text("scene")},
+                                                 {"study", root.text("study")}};
+  Json rows = Json::array();
+  int wrong = 0;
+  for (const auto& section : root.sections("bad")) {
+    const BadInput bad = read_bad_input(section);
+    const std::string said = bad.arguments.empty() ? refusal_of_file(bad, with(bad, files))
+                                                   : refusal_of_call(bad, files.at("scene"));
+    const bool as_written = fits(said, bad.message);
+    wrong += as_written ? 0 : 1;
+    rows.push_back(
+        {{"what", bad.what}, {"message", said.empty() ? "accepted" : said}, {"as_written", as_written}});
+    if (!as_written)
+      session.text() << fmt::format("{}\n  expected: {}\n  is said:  {}\n", bad.what, bad.message, said);
+  }
+  root.reject_unknown();
+  session.text() << fmt::format("{} bad inputs, {} with another message than written\n", rows.size(), wrong);
+  session.write_csv(rows);
+  session.write_json({{"count", rows.size()}, {"wrong", wrong}, {"rows", rows}});
+  return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+/// `plumb refusals TABLE.toml`: every bad input of a table against the message that a user shall see.
+void add_refusals(CLI::App& program, Session& session) {
+  const auto table = std::make_shared<std::string>();
+  CLI::App& command = add_command(program, session,
+                                  {"refusals", "tries bad inputs and compares what is said with a table",
+                                   "plumb refusals verification/bad_inputs.toml"},
+                                  {.table = true}, [&session, table] { return refusals(session, *table); });
+  command.add_option("TABLE", *table, "the table (.toml)")->required()->type_name("FILE");
+}
+
+}  // namespace plumb

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "plumb/commands.hpp"
+#include "plumb/provenance.hpp"
+#include "plumb/run/interrupt.hpp"
+#include "plumb/run/trial_cache.hpp"
+#include "plumb/session.hpp"
+#include "plumbline/output/file.hpp"
+#include "plumbline/scene/readers.hpp"
+#include "plumbline/stability/edge.hpp"
+#include "plumbline/stability/stability_study.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct StabilityOptions {
+  std::string study;
+  std::vector<std::string> overrides;
+  std::string cache = "out/stability";
+};
+
+/// One place of the map.
+struct Cell {
+  const Variant* variant;
+  std::string over_value;
+  Edge edge{};
+  std::vector<std::pair<double, Trial>> trials;  ///< in the order of the runs
+  bool done = false;
+};
+
+/// Everything that decides how a run ends.
+std::string content_of(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
+  std::string content = version_text() + "\n";
+  for (const auto& [key, text] :
+       settings_of(parse_document(study.scene, study.file, overrides, scene_alternatives())))
+    content += key + " = " + text + "\n";
+  content += fmt::format("bounds {} {}", study.bounds.energy_growth.value_or(-1),
+                         study.bounds.hourglass.value_or(-1));
+  return content + (study.parameter == EdgeParameter::twist ? fmt::format(" twist {}", value) : "");
+}
+
+struct Stopped {};  ///< thrown out of a bisection when a signal asks for the end
+
+class Map {
+ public:
+  Map(const StabilityStudy& study, TrialCache cache) : study_(study), cache_(std::move(cache)) {
+    for (const auto& variant : study.variants)
+      for (const auto& value : study.values) cells.push_back({&variant, value, {}, {}, false});
+  }
+
+  /// All cells, several at a time; false if a signal came. What is finished is in the cells and in the cache.
+  bool make(Progress& progress) {
+    const InterruptGuard guard;
+    std::exception_ptr problem;
+    std::atomic<int> finished = 0;
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      if (interrupted() || problem) continue;
+      try {
+        fill(cells[n]);
+#pragma omp critical
+        progress.update(static_cast<double>(++finished) / static_cast<double>(cells.size()));
+      } catch (const Stopped&) {
+        continue;
+      } catch (...) {
+#pragma omp critical
+        problem = std::current_exception();
+      }
+    }
+    if (problem) std::rethrow_exception(problem);
+    return !interrupted();
+  }
+
+  std::vector<Cell> cells;
+
+ private:
+  void fill(Cell& cell) {
+    const auto stable = [&](double value) { return !trial(cell, value).cause; };
+    if (study_.parameter == EdgeParameter::stretch) {
+      stable(0);
+      cell.edge.runs = 1;
+    } else {
+      cell.edge = find_edge(study_.from, study_.to, study_.tolerance, stable);
+    }
+    cell.done = true;
+  }
+
+  const Trial& trial(Cell& cell, double value) {
+    const auto overrides = overrides_of(study_, *cell.variant, cell.over_value, value);
+    const std::string content = content_of(study_, overrides, value);
+    auto found = cache_.find(content);
+    if (!found) {
+      found = try_scene(scene_of(study_, overrides, value), study_.bounds, [] { return !interrupted(); });
+      if (!found) throw Stopped{};
+      cache_.keep(content, *found);
+    }
+    return cell.trials.emplace_back(value, *found).second;
+  }
+
+  const StabilityStudy& study_;
+  TrialCache cache_;
+};
+
+/// The run that shows how it ends beyond the edge: the one at the least unstable value.
+const Trial* beyond(const Cell& cell, EdgeParameter parameter) {
+  for (const auto& [value, trial] : cell.trials)
+    if (trial.cause && (parameter == EdgeParameter::stretch || value == cell.edge.unstable)) return &trial;
+  return nullptr;
+}
+
+Json row_of(const Cell& cell, EdgeParameter parameter) {
+  const Trial* end = beyond(cell, parameter);
+  const bool pulled = parameter == EdgeParameter::stretch;
+  double cpu = 0;
+  for (const auto& [value, trial] : cell.trials) cpu += trial.cpu;
+  const double number = cell.over_value.empty() ? NAN : std::strtod(cell.over_value.c_str(), nullptr);
+  Json row{
+      {"variant", cell.variant->name},
+      {"x", cell.over_value.find_first_not_of("0123456789.e-+") == std::string::npos ? Json(number)
+                                                                                     : Json(cell.over_value)},
+      {"y", pulled ? Json() : Json(cell.edge.unstable)},
+      {"limit", pulled ? Json(cell.trials.front().second.stretch) : Json(cell.edge.stable)},
+      {"cause", end ? Json(name_of(*end->cause)) : Json()},
+      {"time", end ? Json(end->time) : Json()},
+      {"hourglass", (end ? *end : cell.trials.back().second).hourglass},
+      {"runs", cell.edge.runs},
+      {"cpu_s", cpu}};
+  for (const char* key : {"y", "limit", "x"})
+    if (row[key].is_number() && !std::isfinite(row[key].get<double>())) row[key] = nullptr;
+  return row;
+}
+
+int stability(const Session& session, const StabilityOptions& options) {
+  const StabilityStudy study = read_stability_study(options.study, options.overrides);
+  if (!options.cache.empty()) {
+    require_folder(options.cache, "--cache");
+    make_folder(options.cache, "--cache");
+  }
+  Progress progress(study.name, session.progress());
+  Map map(study, TrialCache(options.cache));
+  const bool whole = map.make(progress);
+  progress.finish();
+  Json rows = Json::array();
+  for (const auto& cell : map.cells)
+    if (cell.done) rows.push_back(row_of(cell, study.parameter));
+  session.write_table(rows);
+  if (!whole)
+    session.text() << "interrupted: the runs that are finished are kept and will not be run again\n";
+  session.write_json(
+      {{"study", study.name},
+       {"parameter", name_of(study.parameter)},
+       {"over", study.over},
+       {"from", study.from},
+       {"to", study.to},
+       {"tolerance", study.tolerance},
+       {"bounds",
+        {{"energy_growth", study.bounds.energy_growth ? Json(*study.bounds.energy_growth) : Json()},
+         {"hourglass", study.bounds.hourglass ? Json(*study.bounds.hourglass) : Json()}}},
+       {"status", whole ? "completed" : "interrupted"},
+       {"rows", rows}});
+  return whole ? 0 : 1;
+}
+
+}  // namespace
+
+/// `plumb stability STUDY.toml`: the edge of stability of one parameter over a second one.
+void add_stability(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<StabilityOptions>();
+  CLI::App& command =
+      add_command(program, session,
+                  {"stability", "bisects a parameter to the edge of stability, over a second one",
+                   "plumb stability verification/stability/small-motion.toml"},
+                  {.table = true}, [&session, options] { return stability(session, *options); });
+  command.add_option("STUDY", options->study, "the study file (.toml)")->required()->type_name("FILE");
+  command.add_option("--set", options->overrides, "override a value of the study: section.key=value")
+      ->type_name("KEY=VALUE");
+  command.add_option("--cache", options->cache, "folder of finished runs; empty: none is kept")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
+}  // namespace plumb
