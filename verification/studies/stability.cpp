@@ -41,6 +41,23 @@ TEST_CASE("the cfl limit of small motion is that of the largest eigenvalue", "[s
     }
 }
 
+TEST_CASE("the largest dissipation at a fixed step is that of (6.5)", "[stability]") {
+  const StabilityStudy study = study_named("plate-eta4-step");
+  const auto& variant = study.variants.back();  // symmetrised, improved F
+  for (const auto& step : {study.values[1], study.values[2]}) {
+    Scene scene = scene_of(study, overrides_of(study, variant, step, 1), 1);
+    const Simulation<2> simulation = make_simulation<2>(scene);
+    // the limit on the step at eta4 = 1 is inversely proportional to eta4
+    const double theory = simulation.solid.step_limit / *scene.method.time_step;
+    const Edge edge = find_edge(0.8 * theory, 1.25 * theory, 0.02, [&](double eta4) {
+      return stable(study, overrides_of(study, variant, step, eta4), eta4);
+    });
+    INFO("step " << step << ": theory " << theory << ", run " << edge.stable);
+    CHECK(edge.stable / theory ==
+          Approx(1).margin(0.05));  // 2 % of the bisection, and the elastic part beside it
+  }
+}
+
 TEST_CASE("every stability study can be read and its scenes exist", "[stability]") {
   for (const char* name :
        {"small-motion", "plate-eta4-step", "plate-jitter-beta", "plate-cfl-kernel", "strip-cfl-thickness",
