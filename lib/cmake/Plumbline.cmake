@@ -3,6 +3,7 @@ include_guard(GLOBAL)
 
 option(PLUMBLINE_TESTS "Build the tests and verification studies" ON)
 option(PLUMBLINE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(PLUMBLINE_FUZZ "Fuzzers, with clang" OFF)
 option(PLUMBLINE_WERROR "Warnings are errors" ON)
 set(PLUMBLINE_ARCH "native" CACHE STRING "Instruction set, as for -march (native, x86-64-v2, x86-64-v3, ..)")
 

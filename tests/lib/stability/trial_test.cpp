@@ -35,7 +35,7 @@ TEST(Trial, AStableRunReachesItsEnd) {
   EXPECT_FALSE(t.cause);
   EXPECT_DOUBLE_EQ(t.time, 0.05);
   EXPECT_NEAR(t.energy, 1, 0.1);
-  EXPECT_NEAR(t.stretch, 1, 1e-6);
+  EXPECT_NEAR(t.stretch, 1, 1e-4);  // strains are below 1e-4
 }
 
 TEST(Trial, EveryCauseIsFound) {
