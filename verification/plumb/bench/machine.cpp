@@ -1,0 +1,66 @@
+#include "plumb/bench/machine.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+#include "plumbline/core/pack.hpp"
+
+namespace plumb::bench {
+namespace {
+
+constexpr int repeats = 5;
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Least CPU time of some repeats [s].
+template <class F>
+double least_time(F&& work) {
+  double least = 1e9;
+  for (int n = 0; n < repeats; ++n) {
+    const double start = cpu_seconds();
+    work();
+    least = std::min(least, cpu_seconds() - start);
+  }
+  return least;
+}
+
+double fma_rate() {
+  constexpr int chains = 12;  // more than latency x throughput of any x86-64 core (10)
+  constexpr long rounds = 2'000'000;
+  using Real = Pack<native_width>;
+  double kept = 0;
+  const double seconds = least_time([&] {
+    Real sum[chains];
+    for (int c = 0; c < chains; ++c) sum[c] = Real(c);
+    const double almost_one = 0.999999;
+    const Real factor = Real::load_once(AlignedVector(native_width, almost_one).data()), offset(1e-6);
+    for (long r = 0; r < rounds; ++r)
+      for (int c = 0; c < chains; ++c) sum[c] = sum[c] * factor + offset;
+    for (int c = 0; c < chains; ++c) kept += sum[c][0];
+  });
+  const volatile double sink = kept;  // the sums are used
+  static_cast<void>(sink);
+  return 2.0 * native_width * chains * static_cast<double>(rounds) / seconds * 1e-9;
+}
+
+double triad_rate() {
+  constexpr std::size_t size = 4'000'000;
+  std::vector<double> a(size, 0.0), b(size, 1.0), c(size, 2.0);
+  const double seconds = least_time([&] {
+    for (std::size_t i = 0; i < size; ++i) a[i] = b[i] + 3.0 * c[i];
+    const volatile double sink = a[size / 2];
+    static_cast<void>(sink);
+  });
+  return 24.0 * static_cast<double>(size) / seconds * 1e-9;
+}
+
+}  // namespace
+
+Machine measure_machine() {
+  return {fma_rate(), triad_rate()};
+}
+
+}  // namespace plumb::bench
