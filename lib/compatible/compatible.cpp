@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "plumbline/compatible/least_change.hpp"
+#include "plumbline/geometry/position_text.hpp"
 
 namespace plumb {
 namespace {
@@ -36,13 +37,6 @@ void match_moments(AreaTable<d>& table, const Cloud<d>& cloud, const Surface<d>&
     const Moments change = gram.ldlt().solve(wrong);
     for (Index i = 0; i < table.particles(); ++i) table.volume[i] *= 1 + change.dot(moments_at(i));
   }
-}
-
-template <int d>
-std::string position_text(const Vec<d>& X) {
-  std::string text;
-  for (int k = 0; k < d; ++k) text += fmt::format("{}{:.6g}", k ? ", " : "", X[k]);
-  return "(" + text + ")";
 }
 
 template <int d>

@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/diagnostics/in_space.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/solid/sweeps.hpp"
 
 namespace plumb {
 namespace {
-
-template <int d>
-Vec<3> in_space(const Vec<d>& v) {
-  Vec<3> w = Vec<3>::Zero();
-  w.template head<d>() = v;
-  return w;
-}
 
 double relative(double gap, double scale) {
   return scale > 0 ? gap / scale : gap;

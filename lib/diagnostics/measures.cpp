@@ -1,14 +1,9 @@
 #include "plumbline/diagnostics/measures.hpp"
 
+#include "plumbline/diagnostics/in_space.hpp"
+
 namespace plumb {
 namespace {
-
-template <int d>
-Vec<3> in_space(const Vec<d>& v) {
-  Vec<3> w = Vec<3>::Zero();
-  w.template head<d>() = v;
-  return w;
-}
 
 /// Sums in blocks of particles, in a fixed order.
 template <class T, class F>

@@ -1,16 +1,10 @@
 #include <fmt/format.h>
 
+#include "plumbline/geometry/position_text.hpp"
 #include "plumbline/gradient/bond_table.hpp"
 
 namespace plumb {
 namespace {
-
-template <int d>
-std::string position_text(const Vec<d>& X) {
-  std::string text;
-  for (int k = 0; k < d; ++k) text += fmt::format("{}{:.6g}", k ? ", " : "", X[k]);
-  return "(" + text + ")";
-}
 
 /// Weights w_ij of the corrected Laplacian: phi_j = -factor W'(r)/r less its linear part. THEORY (6.2).
 template <int d>
