@@ -1,6 +1,7 @@
 // The corpus that the fuzzers have found, with the normal compiler: every file is answered, none crashes.
 #include <gtest/gtest.h>
 
+#include "places.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/support/temporary_folder.hpp"
 

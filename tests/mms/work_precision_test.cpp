@@ -1,4 +1,5 @@
 #include "mms/work_precision.hpp"
+#include "places.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "places.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "places.hpp"
 #include "tests/support/program.hpp"
 
 // The ledger of claims and what guards it. The numbers themselves are measured again by ctest -L claims.

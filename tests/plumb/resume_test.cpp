@@ -7,6 +7,7 @@
 #include <random>
 #include <regex>
 
+#include "places.hpp"
 #include "plumbline/output/checkpoint.hpp"
 #include "tests/support/program.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "places.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb::test {
@@ -23,11 +24,9 @@ inline Outcome run_shell(const std::string& command) {
           content_of(error)};
 }
 
-#ifdef PLUMB_EXECUTABLE
 /// Runs `plumb ARGUMENTS`.
 inline Outcome run_plumb(const std::string& arguments) {
   return run_shell(PLUMB_EXECUTABLE " " + arguments);
 }
-#endif
 
 }  // namespace plumb::test

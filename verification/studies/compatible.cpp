@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "mms/static_study.hpp"
+#include "places.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "places.hpp"
 #include "plumbline/diagnostics/budget.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "mms/temporal.hpp"
+#include "places.hpp"
 
 using namespace plumb;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "places.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
 

@@ -1,4 +1,5 @@
 // Stability found by running, beside what linear theory says.
+#include "places.hpp"
 #include "plumbline/scene/simulation.hpp"
 #include "plumbline/spectrum/spectrum.hpp"
 #include "plumbline/stability/edge.hpp"

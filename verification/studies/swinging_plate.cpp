@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "mms/study.hpp"
+#include "places.hpp"
 
 using namespace plumb;
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "places.hpp"
 #include "plumbline/output/file.hpp"
 #include "tests/support/program.hpp"
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "places.hpp"
 #include "plumb/claims/measure.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"

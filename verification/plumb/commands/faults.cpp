@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "places.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"

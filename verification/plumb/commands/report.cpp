@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "places.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
 #include "plumb/session.hpp"
