@@ -67,8 +67,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.output = read_output(root, scene.body);
   refuse_endless_output(root, scene);
-  refuse_pointless_mirror(root, scene);
   refuse_beside_mirror(root, scene.body.layout, scene.method);
+  refuse_pointless_mirror(root, scene);
   return scene;
 }
 
