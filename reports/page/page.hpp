@@ -13,6 +13,7 @@ struct PageSection {
   std::string id, title;
   Section section;
   std::vector<std::pair<std::string, JobResult>> jobs;  ///< id and what became of it
+  std::string chapter = {};
 };
 
 struct Page {

@@ -121,7 +121,7 @@ SectionPlan gradients_1d(bool) {
                                     "40",          "--radius-over-dx", "4",        "--field", field,
                                     "--estimator", estimators,         "--pair",   pairs};
   };
-  return {20,
+  return {120,
           "gradients",
           "Gradient estimates in one dimension",
           {{"gradient-linear", of("poly:1,1", "standard,bond,improved", "W1")},

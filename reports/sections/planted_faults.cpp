@@ -37,6 +37,8 @@ Section write(const Results& results) {
     table.rows.push_back({text(fault, "name"), text(fault, "file"), by});
     if (seen) ++by_program[by.substr(0, by.find(':'))];
   }
+  s.headlines = {{fmt::format("{} of {}", score.at("caught").get<int>(), faults.size()),
+                  "planted faults turned a test red"}};
   DataTable programs{"planted-faults-by",
                      "Test programs that caught them first",
                      {{"program"}, {"faults", "", 0}},
@@ -57,7 +59,7 @@ Section write(const Results& results) {
 
 /// Faults planted into the code, and the tests that caught them.
 SectionPlan planted_faults(bool) {
-  return {800, "faults", "Planted faults", {{"faults", {"faults", score_file}, {score_file}}}, write};
+  return {820, "faults", "Planted faults", {{"faults", {"faults", score_file}, {score_file}}}, write};
 }
 
 }  // namespace plumb::reports::sections

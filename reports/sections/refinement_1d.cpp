@@ -76,6 +76,7 @@ DataTable fits(const Json& ratio, const Json& fixed) {
                             text(fit, "norm"),
                             fit.at("order").is_number() ? Entry(number(fit, "order")) : Entry(), end(0),
                             end(1), text(fit, "verdict")});
+      table.row_jobs.push_back(result == &ratio ? "refinement-ratio" : "refinement-fixed");
       table.figures.push_back(std::string(result == &ratio ? "fig6-ratio-" : "fig6-fixed-") +
                               (text(fit, "field") == cubic ? "cubic" : "sine"));
     }
@@ -135,7 +136,7 @@ SectionPlan refinement_1d(bool long_run) {
         "--pair",      "W1,W0"};
   };
   return {
-      30,
+      130,
       "refinement",
       "Refinement in one dimension",
       {{"refinement-ratio", with("--radius-over-dx", "4")}, {"refinement-fixed", with("--radius", "0.5")}},

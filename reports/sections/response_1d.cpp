@@ -98,7 +98,7 @@ SectionPlan response_1d(bool) {
                                     "--points",    "200"};
   };
   return {
-      40,
+      140,
       "response",
       "Response to waves",
       {{"response-4", at("4", "standard,bond,improved")}, {"response-1.8", at("1.8", "standard,improved")}},
