@@ -148,8 +148,7 @@ Section write(const Results& results) {
       "(U = 0.01 m) is judged {}.",
       second, judged, floor.verdict);
   s.notes = {
-      "T = 2π/ω = 39.34 ms. At T/4 the h³ error of JST dominates; at 9T/8 the error of the discretisation "
-      "shows.",
+      "T = 2π/ω = 39.34 ms; errors are those at 9T/8.",
       "The paper reports order 2 in L₂ and 0.9 to 1.2 in the H1 seminorm, the latter by Gauss points between "
       "the particles. "
       "Columns l2 and h1 are sums over particles, l2_gauss and h1_gauss are the paper's quadrature."};

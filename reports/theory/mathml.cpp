@@ -121,7 +121,12 @@ class Reader {
         shown = std::string(value) + std::string(name.substr(key.size()));
         break;
       }
-    return scripts("<mi>" + shown + marks() + "</mi>");
+    const std::string mark = marks();
+    if (name.size() == 1 && !mark.empty() && mark != "\u0303")  // apart, so that the letter stays slanted
+      return scripts("<mrow><mi>" + shown + "</mi><mtext>" + mark + "</mtext></mrow>");
+    if (name.size() > 1 && is_letter(name[0]) && name.find_first_not_of("0123456789", 1) == name.npos)
+      return scripts(fmt::format("<mrow><mi>{}</mi><mn>{}</mn></mrow>", name.substr(0, 1), name.substr(1)));
+    return scripts("<mi>" + shown + mark + "</mi>");
   }
 
   /// A word of the language: not a name with an index, not the name of a function or a symbol.

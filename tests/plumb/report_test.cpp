@@ -53,7 +53,8 @@ TEST(Report, WorksInTheBrowserOnATelephoneADeskAndPaper) {
   EXPECT_EQ(outside, 0) << "words are cut at the edge of the paper";
 }
 
-/// The complete report, if one was made: PLUMB_REPORT names its folder (reports/out of the tree if it is not set).
+/// The complete report, if one was made: PLUMB_REPORT names its folder (reports/out of the tree if it is not
+/// set).
 TEST(Report, LongCompletePageWorksInTheBrowser) {
   if (!test::Browser::installed()) GTEST_SKIP() << "chromium or pdftotext is not installed";
   const char* named = std::getenv("PLUMB_REPORT");
