@@ -99,8 +99,9 @@ std::string patches(const Prepared& p, const Patches& map, std::vector<std::stri
         "set arrow from {:.6g},{:.6g} to {:.6g},{:.6g} filled size screen 0.012,20 lw 1.3 "
         "lc rgb \"#606060\"\n",
         rod.x0, rod.y0, rod.x1, rod.y1);
-    out += fmt::format("set label {} at {:.6g},{:.6g} left offset 0.5,0.3 noenhanced tc rgb \"#606060\"\n",
-                       literal(rod.label), rod.x1, rod.y1);
+    out += fmt::format(
+        "set label {} at {:.6g},{:.6g} {} noenhanced tc rgb \"#606060\"\n", literal(rod.label), rod.x1,
+        rod.y1, rod.x1 < rod.x0 - 1e-9 * std::abs(rod.x1) ? "right offset -0.4,0" : "left offset 0.5,0.3");
   }
   plots.push_back("$patches using 1:2:3 with polygons fs solid noborder fc palette notitle");
   return out;

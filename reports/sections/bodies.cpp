@@ -163,8 +163,7 @@ Figure snapshot(const Results& results, const Body& body, double time) {
                  : std::vector<BodyState>{last_state(results.csv(body.id, "last.csv"), time, field)};
   const Quantity quantity = stress_of(states);
   const auto drawn = [&](const BodyState& state) {
-    return body_picture(fmt::format("{}: t = {:.3g} s", body.name, state.time), state, view, quantity,
-                        body.size, states);
+    return body_picture(body.name, state, view, quantity, body.size, states);
   };
   Figure figure{
       body.id + "-stress",

@@ -51,9 +51,10 @@ class Browser {
   /// Prints `page` without running any script of it, and returns the text of the sheets, blanks left out;
   /// `outside` counts the words that do not lie on their sheet as a whole.
   std::string print(const std::string& page, int& words, int& outside) const {
-    std::ofstream(folder_ / "page.html") << page;
+    // Chromium prints by a script of its own, so it cannot be told to run none: the script is cut out.
+    std::ofstream(folder_ / "page.html") << page.substr(0, page.rfind("<script>")) << "</body></html>";
     const std::string pdf = (folder_ / "page.pdf").string();
-    call("--blink-settings=scriptEnabled=false --no-pdf-header-footer --print-to-pdf=" + pdf + " file://" +
+    call("--no-pdf-header-footer --print-to-pdf=" + pdf + " file://" +
          (folder_ / "page.html").string());
     const std::string boxes = run_shell("pdftotext -bbox " + pdf + " -").out;
     double sheet = 0;
