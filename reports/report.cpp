@@ -96,14 +96,16 @@ Table csv_of(const DataTable& table) {
   return csv;
 }
 
-void write_data(const Section& section, const fs::path& out) {
-  for (const auto& figure : section.figures) {
+/// Writes the data of every figure and table, and the figures, which are kept for the page.
+void write_data(PageSection& section, const fs::path& out) {
+  for (const auto& figure : section.section.figures) {
     std::string data;
     for (const auto& frame : figure.frames) data += "# " + frame.label + "\n" + data_csv(frame.picture);
     replace_file(out / "data" / (figure.id + ".csv"), data.empty() ? data_csv(figure.picture) : data);
-    save(figure.picture, out / "figures" / (figure.id + ".svg"));
+    section.drawn[figure.id] = svg(figure.picture, figure.id);
+    replace_file(out / "figures" / (figure.id + ".svg"), section.drawn[figure.id]);
   }
-  for (const auto& table : section.tables)
+  for (const auto& table : section.section.tables)
     replace_file(out / "data" / (table.id + ".csv"), csv_text(csv_of(table)));
 }
 
@@ -145,7 +147,7 @@ ReportSummary make_report(const ReportOptions& options) {
             {}};
   for (const auto& plan : plans) {
     page.sections.push_back(written(plan, results, summary));
-    write_data(page.sections.back().section, options.out);
+    write_data(page.sections.back(), options.out);
   }
   page.facts.emplace_back("machine", run::machine());
   page.facts.emplace_back(

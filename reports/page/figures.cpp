@@ -21,8 +21,11 @@ std::string frames(const Figure& figure) {
 
 }  // namespace
 
-std::string figure(const Figure& figure) {
-  const std::string picture = figure.frames.empty() ? svg(figure.picture, figure.id) : frames(figure);
+std::string figure(const Figure& figure, const PageSection& section) {
+  const auto drawn = section.drawn.find(figure.id);
+  const std::string picture = !figure.frames.empty()         ? frames(figure)
+                              : drawn != section.drawn.end() ? drawn->second
+                                                             : svg(figure.picture, figure.id);
   return fmt::format(
       "<figure id=\"{0}\"{4}>{1}<figcaption>{2} <span class=\"src\"><a href=\"data/{0}.csv\">CSV</a> · "
       "<a href=\"figures/{0}.svg\">SVG</a>{3}</span></figcaption></figure>\n",

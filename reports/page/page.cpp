@@ -59,7 +59,7 @@ std::string section(const PageSection& s) {
       escaped(s.title), text(content.question), text(content.answer), tags(count_verdicts({s})));
   if (!content.figures.empty()) {
     out += "<div class=\"figs\">";
-    for (const auto& f : content.figures) out += figure(f);
+    for (const auto& f : content.figures) out += figure(f, s);
     out += "</div>\n";
   }
   out += checks(s);

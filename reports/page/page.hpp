@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@ struct PageSection {
   Section section;
   std::vector<std::pair<std::string, JobResult>> jobs;  ///< id and what became of it
   std::string chapter = {};
+  std::map<std::string, std::string> drawn = {};  ///< SVG of figures by id, if they were drawn already
 };
 
 struct Page {

@@ -11,7 +11,7 @@ namespace plumb::reports::page {
 
 /// Its rows link to their picture and their command, as far as `section` has them.
 std::string table(const DataTable& table, const PageSection& section);
-std::string figure(const Figure& figure);
+std::string figure(const Figure& figure, const PageSection& section);
 /// The checks with what was expected and found, each with a link to its command.
 std::string checks(const PageSection& section);
 std::string section(const PageSection& section);

@@ -120,7 +120,7 @@ std::string table(const DataTable& table, const PageSection& section) {
   for (const auto& column : table.columns)
     out += fmt::format("<th scope=\"col\">{}{}</th>", escaped(column.name),
                        column.unit.empty() ? "" : " <small>[" + escaped(column.unit) + "]</small>");
-  out += "<th scope=\"col\">see</th></tr></thead><tbody>\n";
+  out += "<th scope=\"col\" class=\"see\">see</th></tr></thead><tbody>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     out += "<tr>";
     for (std::size_t c = 0; c < table.columns.size(); ++c)
@@ -138,7 +138,7 @@ std::string checks(const PageSection& section) {
   std::string out = fmt::format(
       "<h3 id=\"{}-checks\">Checks</h3><div class=\"scroll\"><table class=\"data cards\"><thead><tr><th "
       "scope=\"col\">verdict</th><th scope=\"col\">what</th><th scope=\"col\">expected</th><th "
-      "scope=\"col\">found</th><th scope=\"col\">see</th></tr></thead><tbody>\n",
+      "scope=\"col\">found</th><th scope=\"col\" class=\"see\">see</th></tr></thead><tbody>\n",
       escaped(section.id));
   for (const auto& check : checks)
     out += fmt::format(
