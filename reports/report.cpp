@@ -106,7 +106,7 @@ void write_data(PageSection& section, const fs::path& out) {
     replace_file(out / "figures" / (figure.id + ".svg"), section.drawn[figure.id]);
   }
   for (const auto& table : section.section.tables)
-    replace_file(out / "data" / (table.id + ".csv"), csv_text(csv_of(table)));
+    replace_file(out / "data" / ("table-" + table.id + ".csv"), csv_text(csv_of(table)));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ struct Column {
 using Entry = std::variant<std::monostate, std::string, double>;
 
 struct DataTable {
-  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::string id;  ///< letters, digits and hyphens; unique among the tables of the report
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<Entry>> rows;
@@ -54,7 +54,7 @@ struct Frame {
 };
 
 struct Figure {
-  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::string id;  ///< letters, digits and hyphens; unique among the figures of the report
   Picture picture;
   std::string caption;
   std::vector<std::string> jobs = {};  ///< where the numbers come from

@@ -54,8 +54,11 @@ Check study_check(std::string what, const Json& result, const std::string& norm)
   const Json& fit = fit_of(result, norm);
   const Entry declared = cell(fit, "declared");
   Check check{std::move(what), "no order declared", {}, text(fit, "verdict")};
-  check.measured = fmt::format("{}, 95 % interval [{}, {}]{}", short_number(cell(fit, "order")),
-                               short_number(end_of(fit, 0)), short_number(end_of(fit, 1)), failures(result));
+  const bool fitted = std::holds_alternative<double>(cell(fit, "order"));
+  check.measured =
+      !fitted ? "no order can be fitted" + failures(result)
+              : fmt::format("{}, 95 % interval [{}, {}]{}", short_number(cell(fit, "order")),
+                            short_number(end_of(fit, 0)), short_number(end_of(fit, 1)), failures(result));
   if (const auto* order = std::get_if<double>(&declared)) check.expected = fmt::format("order {:g}", *order);
   const auto& known = verdict_names();
   if (std::find(known.begin(), known.end(), check.verdict) == known.end()) {

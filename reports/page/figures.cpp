@@ -27,7 +27,7 @@ std::string figure(const Figure& figure, const PageSection& section) {
                               : drawn != section.drawn.end() ? drawn->second
                                                              : svg(figure.picture, figure.id);
   return fmt::format(
-      "<figure id=\"{0}\"{4}>{1}<figcaption>{2} <span class=\"src\"><a href=\"data/{0}.csv\">CSV</a> · "
+      "<figure id=\"fig-{0}\"{4}>{1}<figcaption>{2} <span class=\"src\"><a href=\"data/{0}.csv\">CSV</a> · "
       "<a href=\"figures/{0}.svg\">SVG</a>{3}</span></figcaption></figure>\n",
       escaped(figure.id), picture, text(figure.caption), source_links(figure.jobs),
       figure.frames.empty() ? "" : " class=\"moving\"");

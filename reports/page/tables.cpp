@@ -73,7 +73,7 @@ std::string command_link(const std::string& job, const PageSection& section) {
 std::string row_links(const DataTable& table, std::size_t r, const PageSection& section) {
   const std::string picture = picture_of_row(table, r, section);
   const std::string command = command_link(job_of_row(table, r), section);
-  std::string out = picture.empty() ? "" : fmt::format("<a href=\"#{}\">picture</a>", escaped(picture));
+  std::string out = picture.empty() ? "" : fmt::format("<a href=\"#fig-{}\">picture</a>", escaped(picture));
   if (!out.empty() && !command.empty()) out += " · ";
   return "<td class=\"see\">" + out + command + "</td>";
 }
@@ -113,7 +113,7 @@ std::string source_links(const std::vector<std::string>& jobs) {
 std::string table(const DataTable& table, const PageSection& section) {
   const bool long_table = table.rows.size() > 12;
   std::string out =
-      fmt::format("<details class=\"tb\" id=\"{}\"{}><summary>{} <small>({} rows)</small></summary>",
+      fmt::format("<details class=\"tb\" id=\"table-{}\"{}><summary>{} <small>({} rows)</small></summary>",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());
   out += "<div class=\"scroll\"><table class=\"data";
   out += has_sentences(table) ? " cards\"><thead><tr>" : "\"><thead><tr>";
@@ -128,7 +128,7 @@ std::string table(const DataTable& table, const PageSection& section) {
     out += row_links(table, r, section) + "</tr>\n";
   }
   out += "</tbody></table></div>";
-  return out + fmt::format("<p class=\"src\"><a href=\"data/{}.csv\">CSV</a>{}</p></details>\n",
+  return out + fmt::format("<p class=\"src\"><a href=\"data/table-{}.csv\">CSV</a>{}</p></details>\n",
                            escaped(table.id), source_links(table.jobs));
 }
 

@@ -180,7 +180,7 @@ void set_margins(Prepared& p) {
     const double area = picture.width - p.margins.left - p.margins.right;
     p.legend_columns = std::max<std::size_t>(1, static_cast<std::size_t>(area / (1.15 * wide + 70)));
     p.legend_rows = (entries + p.legend_columns - 1) / p.legend_columns;
-    p.margins.bottom += 6 + line_px * static_cast<double>(p.legend_rows);
+    p.margins.bottom += 6 + legend_px * static_cast<double>(p.legend_rows);
   } else if (longest > 0) {
     p.margins.right += std::min(wide + 14, 0.45 * picture.width);
   }

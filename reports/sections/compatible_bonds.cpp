@@ -111,6 +111,7 @@ Section write(const Results& results) {
     add_fits(s.tables[0], v.name, v.id, result, "compatible-plate");
     if (compatible) {
       s.checks.push_back(study_check("L₂ order on irregular particles, " + v.name, result, "l2"));
+      s.checks.back().job = v.id;
       passed += s.checks.back().verdict == "pass" ? 1 : 0;
     } else {
       others_passed += study_check("", result, "l2").verdict == "pass" ? 1 : 0;

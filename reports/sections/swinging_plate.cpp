@@ -137,6 +137,7 @@ Section write(const Results& results) {
   for (const auto& v : variants) {
     const Json result = results.json(v.id);
     s.checks.push_back(study_check("L₂ order, " + v.name, result, "l2"));
+    s.checks.back().job = v.id;
     add_fits(s.tables[0], v.name, v.id, result,
              v.id == "plate-printed" || v.id == "plate-forced" ? "plate-floor" : "plate-schemes");
     add_levels(s.tables[1], v.name, v.id, result);

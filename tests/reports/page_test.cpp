@@ -90,7 +90,7 @@ TEST(Page, EveryRowLinksToItsCommandAndItsPicture) {
   table.figures.clear();  // found by the job then
   table.jobs = {"plate-run", "other-run"};
   const std::string by_row = html(page);
-  EXPECT_NE(by_row.find("<a href=\"#plate-error\">picture</a> · <a href=\"#cmd-plate-run\">command</a>"),
+  EXPECT_NE(by_row.find("<a href=\"#fig-plate-error\">picture</a> · <a href=\"#cmd-plate-run\">command</a>"),
             std::string::npos);
   EXPECT_NE(by_row.find("<td class=\"see\"><a href=\"#cmd-other-run\">command</a>"), std::string::npos);
   table.jobs = {"plate-run", "other-run",
