@@ -89,8 +89,8 @@ std::vector<Body> long_bodies() {
                      'y',
                      'x',
                      1.0 / n});
-  // the scene as it is (cell layout, symmetrised), and the one reading in which the published stretches
-  // appear
+  // the scene at half its step (cell layout, symmetrised), and the one reading in which the published
+  // stretches appear
   const std::vector<std::pair<std::string, std::vector<std::string>>> pulls{
       {"cell", {"method.cfl=0.5"}},
       {"node",
@@ -101,7 +101,7 @@ std::vector<Body> long_bodies() {
       for (const auto& [reading, set] : pulls) {
         Body body{fmt::format("pulling-{}-{}-{}", nu, gradient, reading),
                   fmt::format("Pulling column, 12 × 12 × 72, ν = 0.{}, {} F, {}", nu, gradient,
-                              reading == "cell" ? "as the scene" : "nodes, W0, adjoint, no JST"),
+                              reading == "cell" ? "cells, symmetrised" : "nodes, W0, adjoint, no JST"),
                   fmt::format("pulling-column-nu-{}", nu),
                   set,
                   'z',
