@@ -43,7 +43,8 @@ std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
 
 Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& options,
                  ReportSummary& summary) {
-  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads);
+  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads,
+                         options.code);
   std::size_t total = 0;
   for (const auto& plan : plans) total += plan.jobs.size();
   Results results;
