@@ -151,6 +151,19 @@ SlotRow<d> slot_row(Index i, const Cloud<d>& cloud, const Neighbours& all, const
   return row;
 }
 
+/// The row's force weights as options.adjust_force wants them.
+template <int d>
+void adjust(SlotRow<d>& row, Index i, const Cloud<d>& cloud, const Neighbours& all,
+            const BondOptions<d>& options) {
+  std::vector<Index> others;
+  std::vector<Vec<d>> force;
+  for (const auto j : all.of(i))
+    if (j != i) others.push_back(j);
+  for (const auto& bond : row.bonds) force.push_back(bond.force);
+  options.adjust_force(cloud, i, others, force, row.own_force);
+  for (std::size_t n = 0; n < force.size(); ++n) row.bonds[n].force = force[n];
+}
+
 /// Appends the row of one pack: the union of its lanes' offsets, ascending, with zero weights where a lane
 /// lacks one.
 template <int d>
@@ -216,12 +229,16 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
     for (const Index i : neighbourhoods.representative) shared.push_back(std::move(bonds[i]));
     bonds = std::move(shared);
   }
-  const Kinds kinds = kinds_by_neighbours<d>(cloud, all, neighbourhoods);
+  const Kinds kinds =
+      options.adjust_force ? all_different(cloud.size()) : kinds_by_neighbours<d>(cloud, all, neighbourhoods);
 
   std::vector<SlotRow<d>> rows(kinds.representative.size());
 #pragma omp parallel for schedule(static)
-  for (Index k = 0; k < static_cast<Index>(rows.size()); ++k)
-    rows[k] = slot_row<d>(kinds.representative[k], cloud, all, table.slots, neighbourhoods, bonds, options);
+  for (Index k = 0; k < static_cast<Index>(rows.size()); ++k) {
+    const Index i = kinds.representative[k];
+    rows[k] = slot_row<d>(i, cloud, all, table.slots, neighbourhoods, bonds, options);
+    if (options.adjust_force) adjust<d>(rows[k], i, cloud, all, options);
+  }
 
   std::vector<std::int32_t> row_of_slot(table.slots.count(), -1);
   for (Index i = 0; i < cloud.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,11 @@ struct BondOptions {
   /// that are projected onto global constraints. Empty: every particle's stencil comes from its own
   /// neighbourhood.
   std::function<void(Cloud<d>&, const Neighbours&, std::vector<std::vector<BondConstants<d>>>&)> project;
+  /// Changes the force weights a_ij to the other particles, and s_i, of one particle after its momentum form
+  /// has made them: the seam for corrections of the force that leave F alone. Empty: they stay as they are.
+  std::function<void(const Cloud<d>&, Index i, std::span<const Index> others, std::span<Vec<d>> force,
+                     Vec<d>& own)>
+      adjust_force;
 };
 
 /// The reference neighbourhood as constants per bond: all that the kernel, the correction, the estimator and

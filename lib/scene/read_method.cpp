@@ -45,6 +45,9 @@ Method read_method_section(const Section& root) {
   method.pair = section->choice_or("pair", method.pair, pair_names());
   method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
+  if (method.momentum == "variational" && method.gradient == "compatible")
+    section->fail("momentum", "\"variational\" contradicts gradient = \"compatible\"",
+                  "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
   method.integrator = section->choice_or("integrator", method.integrator, integrator_names());
   method.wave_speed = section->choice_or("wave_speed", method.wave_speed, wave_speed_names());
   method.time_step = section->optional_number("time_step", quantity::time, Sign::positive);
