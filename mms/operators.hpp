@@ -15,9 +15,10 @@ inline constexpr std::array<std::string_view, 2> part_names{"inside", "boundary"
 struct OperatorLevel {
   Index n = 0;   ///< particles
   double d = 0;  ///< spacing [m]
-  /// error[operator][part]: L2 over the particles of the part, relative to the root mean square of the exact
-  /// quantity over the body. F: deformation gradient, relative to F - I; Div P: force per volume without
-  /// loads; Laplacian: of the displacement with the weights of (6.3).
+  /// error[operator][part]: L2 over the particles of the part (inside with the square of the distance from
+  /// its rim as weight), relative to the root mean square of the exact quantity over the body. F: deformation
+  /// gradient, relative to F - I; Div P: force per volume without loads; Laplacian: of the displacement with
+  /// the weights of (6.3).
   std::array<std::array<double, 2>, 3> error{};
   /// Integration constraint: root mean square inside of |force| d / |stress| under the uniform stress I. Zero
   /// if a uniform stress leaves no force; of order p it limits Div P to order p - 1.
