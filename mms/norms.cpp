@@ -56,7 +56,10 @@ template <int d>
 class Interpolator {
  public:
   Interpolator(const Cloud<d>& cloud, const NodalValues<d>& values, const Interpolation<d>& how)
-      : cloud_(cloud), values_(values), how_(how), search_(cloud.X) {}
+      : cloud_(with_images(cloud, how)),
+        values_(with_image_values(cloud, values, how)),
+        how_(how),
+        search_(cloud_.X) {}
 
   PointValue<d> operator()(const Vec<d>& X) {
     search_.within(X, how_.kernel.support * how_.smoothing_length, found_);
@@ -75,6 +78,25 @@ class Interpolator {
   }
 
  private:
+  static std::vector<Ghost<d>> images(const Cloud<d>& cloud, const Interpolation<d>& how) {
+    return ghosts_behind(cloud, how.walls, how.kernel.support * how.smoothing_length);
+  }
+  static Cloud<d> with_images(const Cloud<d>& cloud, const Interpolation<d>& how) {
+    return with_ghosts(cloud, images(cloud, how));
+  }
+  /// Images carry what their particle has, reflected.
+  static NodalValues<d> with_image_values(const Cloud<d>& cloud, const NodalValues<d>& values,
+                                          const Interpolation<d>& how) {
+    NodalValues<d> all = values;
+    for (const auto& ghost : images(cloud, how)) {
+      const PointValue<d>& real = values[static_cast<std::size_t>(ghost.real)];
+      const Vec<d> signs = signs_of(ghost);
+      const Mat<d> reflection = signs.asDiagonal();
+      all.push_back({signs.cwiseProduct(real.u), reflection * real.gradient * reflection,
+                     signs.cwiseProduct(real.v), reflection * real.stress * reflection});
+    }
+    return all;
+  }
   CorrectedKernel<d> corrected(const Vec<d>& X) const {
     try {
       return correct<d>(how_.pair, how_.kernel, how_.smoothing_length, neighbours_);
@@ -86,8 +108,8 @@ class Interpolator {
     }
   }
 
-  const Cloud<d>& cloud_;
-  const NodalValues<d>& values_;
+  Cloud<d> cloud_;
+  NodalValues<d> values_;
   const Interpolation<d>& how_;
   NeighbourSearch<d> search_;
   std::vector<Index> found_;

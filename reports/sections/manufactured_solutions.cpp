@@ -112,7 +112,7 @@ Section write(const Results& results) {
                         fmt::format("{:.3f}", number(fit, "order")), text(fit, "verdict")});
   s.figures = {levels_figure(results, "mms-others", "Vortex, cube and column", others(),
                              "Errors at the end time of each study file."),
-               time_figure(time)};
+               orders_figure("mms-orders", "Orders in L₂", fits, "l2"), time_figure(time)};
   s.tables = {broken_table(results), fits, levels};
   s.answer = fmt::format("{} of {} solutions with natural edges meet the order that their study declares.",
                          met, declared);
@@ -138,7 +138,7 @@ Section write(const Results& results) {
 
 /// Refinement of every manufactured solution that is no patch, and the order in time.
 SectionPlan manufactured_solutions(bool) {
-  SectionPlan plan{110, "mms", "Manufactured solutions: orders", {}, write};
+  SectionPlan plan{320, "mms", "Manufactured solutions: orders", {}, write};
   for (const auto& entry : others()) plan.jobs.push_back(refinement_job(entry));
   for (const auto& entry : broken()) plan.jobs.push_back(refinement_job(entry));
   plan.jobs.push_back(temporal_job());

@@ -210,7 +210,7 @@ Section write(const Results& results) {
 
 /// Errors of the operators on exact fields, and the integration constraint.
 SectionPlan operators(bool) {
-  SectionPlan plan{105, "operators", "Operators on exact fields", {}, write};
+  SectionPlan plan{210, "operators", "Operators on exact fields", {}, write};
   for (const auto& entry : cases())
     plan.jobs.push_back(refinement_job({entry.id, entry.cloud, entry.file, entry.set}, "operators"));
   return plan;
