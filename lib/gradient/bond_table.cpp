@@ -248,6 +248,10 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
   }
   for (const auto o : table.offset) table.margin = std::max<Index>(table.margin, std::abs(o));
   table.margin += W;
+  for (auto* values :
+       {&table.separation, &table.stencil, &table.force, &table.laplacian, &table.outer_laplacian})
+    values->shrink_to_fit();  // of a cloud with a row per particle these are most of the memory
+  table.offset.shrink_to_fit();
   return table;
 }
 

@@ -28,7 +28,8 @@ Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
 template <int d, MaterialModel<d> M>
 Sweeps<d> plain_sweeps(const M& material) {
   Sweeps<d> s;
-  s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P, Field* F) {
+  s.stress = [material](const BondTable<d>& bonds, const Field& u, const Block& block, StressWindow& P,
+                        Field* F) {
     const auto gradient = [&](Index pack) { return deformation_gradient<d, 1>(bonds, u, pack); };
     return stress_sweep<d, 1>(material, gradient, block, P, F);
   };
@@ -47,7 +48,7 @@ Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
   constexpr int W = native_width;
   const auto table = std::make_shared<const LatticeTable<d>>(make_lattice_table(all));
   Sweeps<d> s;
-  s.stress = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P,
+  s.stress = [material, table](const BondTable<d>& bonds, const Field& u, const Block& block, StressWindow& P,
                                Field* F) {
     const auto gradient = [&](Index pack) {
       return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
@@ -61,7 +62,7 @@ Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
     };
     return energy_sweep<d, W>(material, gradient, block, volume);
   };
-  s.force = [table](const BondTable<d>&, const Field& P, const Block& block, BlockForce<d>& force) {
+  s.force = [table](const BondTable<d>&, const StressWindow& P, const Block& block, BlockForce<d>& force) {
     lattice_force_sweep<d>(*table, P, block, force);
   };
   s.tangent = [material](const Mat<d>& F) { return tangent_of<d>(material, F); };

@@ -3,7 +3,7 @@
 
 #include "plumbline/gradient/bond_table.hpp"
 #include "plumbline/material/material.hpp"
-#include "plumbline/solid/state.hpp"
+#include "plumbline/solid/stress_window.hpp"
 
 namespace plumb {
 
@@ -35,18 +35,19 @@ inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Fie
   return result;
 }
 
-/// First Piola-Kirchhoff stress [Pa] of one block into P (d x d components, row by row), and F into `F_out`
-/// if a term needs it. Returns false if some determinant is not positive (or not a number).
+/// First Piola-Kirchhoff stress of one block into P, and F into `F_out` if a term needs it. Returns false if
+/// some determinant is not positive (or not a number).
 template <int d, int W, MaterialModel<d> M, class DeformationGradient>
 bool stress_sweep(const M& material, DeformationGradient&& deformation_gradient_of_pack, const Block& block,
-                  Field& P, Field* F_out) {
+                  StressWindow& P, Field* F_out) {
   using Real = Pack<W>;
   Real unsound(0);
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Mat<d, Real> F = deformation_gradient_of_pack(pack);
     const Mat<d, Real> stress = material.first_piola(F);
+    const Index place = P.place(pack * W);
     for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b) stress(a, b).store(P[a * d + b] + pack * W);
+      for (int b = 0; b < d; ++b) stress(a, b).store(P[a * d + b] + place);
     if (F_out)
       for (int a = 0; a < d; ++a)
         for (int b = 0; b < d; ++b) F(a, b).store((*F_out)[a * d + b] + pack * W);
@@ -59,24 +60,30 @@ bool stress_sweep(const M& material, DeformationGradient&& deformation_gradient_
 
 /// Internal force per unit reference volume of one block: f_i = P_i s_i + sum_j P_j a_ij, THEORY (5.1).
 template <int d, int W>
-void force_sweep(const BondTable<d>& bonds, const Field& P, const Block& block, BlockForce<d>& force) {
+void force_sweep(const BondTable<d>& bonds, const StressWindow& P, const Block& block, BlockForce<d>& force) {
   using Real = Pack<W>;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
     const std::int32_t row = bonds.row[pack];
-    Real f[d];
+    Real sums[d][d];  // by b of P_ab a_b as well: one chain of additions would wait for each of them
     const auto add = [&](Index j, const double* weights) {
+      const Index place = P.place(j);
       Real weight[d];
       for (int b = 0; b < d; ++b) weight[b] = Real::load(weights + b * W);
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) f[a] += Real::load(P[a * d + b] + j) * weight[b];
+        for (int b = 0; b < d; ++b) sums[a][b] += Real::load(P[a * d + b] + place) * weight[b];
     };
-    for (int a = 0; a < d; ++a) f[a] = Real(0);
+    for (auto& by_component : sums)
+      for (auto& sum : by_component) sum = Real(0);
     add(i, bonds.own_force.data() + static_cast<Index>(row) * d * W);
     const std::int64_t end = bonds.begin[row + 1];
     for (std::int64_t n = bonds.begin[row]; n < end; ++n)
       add(i + bonds.offset[n], bonds.force.data() + n * d * W);
-    for (int a = 0; a < d; ++a) f[a].store(force.at(a, i));
+    for (int a = 0; a < d; ++a) {
+      Real f = sums[a][0];
+      for (int b = 1; b < d; ++b) f += sums[a][b];
+      f.store(force.at(a, i));
+    }
   }
 }
 
