@@ -151,24 +151,25 @@ StressWindow make_stress_window(const Solid<d>& solid) {
   return {d * d, blocks, reach, blocks >= blocks_for_threads ? omp_get_max_threads() : 1};
 }
 
-/// Stresses of a share, and the forces that need no others, `reach` blocks behind. Calls force(b).
+/// Stresses of a share, and the forces that need no others, `reach` blocks behind. Calls force(b). Ends with
+/// false at the first block that is not sound, before any force has read its stress.
 template <int d, class Force>
 bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index share, Force&& force) {
   const Index reach = solid.P.reach(), last = solid.P.begin_of(share + 1);
   Index next = solid.P.inner(share).first;
   const Index end = solid.P.inner(share).second;
-  bool sound = true;
   for (Index b = solid.P.begin_of(share); b < last; ++b) {
-    sound = find_stress(solid, state, solid.block(b), time) && sound;
+    if (!find_stress(solid, state, solid.block(b), time)) return false;
     if (next < end && next + reach <= b) force(next++);
   }
   while (next < end) force(next++);
-  return sound;
+  return true;
 }
 
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
 /// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
-/// J <= 0 or is not a number; some blocks have then been updated, and the integrator goes back.
+/// J <= 0 or is not a number; some blocks, far from there, have then been updated, and the integrator goes
+/// back.
 ///
 /// A block's force follows as soon as the stresses that it reads are known, while they are still in the
 /// cache; what reads beyond its share waits until all are known. Every block gets the same numbers whatever
@@ -188,6 +189,7 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
     for (Index s = 0; s < shares; ++s) sound = go_through_share(solid, state, time, s, force) && sound;
 #pragma omp for schedule(static, 1)
     for (Index s = 0; s < shares; ++s) {
+      if (!sound) continue;
       const auto [first, last] = solid.P.inner(s);
       for (Index b = solid.P.begin_of(s); b < first; ++b) force(b);
       for (Index b = last; b < solid.P.begin_of(s + 1); ++b) force(b);

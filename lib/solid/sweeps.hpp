@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 
 #include "plumbline/gradient/bond_table.hpp"
@@ -35,26 +36,56 @@ inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Fie
   return result;
 }
 
+/// Deformation gradients of the next V slots of a block whose table has packs of W, as one pack: where rows
+/// are of single particles, the material still works on whole packs. Behind the block's end: I.
+template <int d, int W, int V, class DeformationGradient>
+inline Mat<d, Pack<V>> gathered(DeformationGradient&& deformation_gradient_of_pack, Index slot, Index end) {
+  if constexpr (W == V) {
+    return deformation_gradient_of_pack(slot / W);
+  } else {
+    static_assert(W == 1);
+    double lanes[d][d][V] = {};
+    for (int a = 0; a < d; ++a) std::fill_n(lanes[a][a], V, 1.0);
+    for (int lane = 0; lane < V && slot + lane < end; ++lane) {
+      const Mat<d, Pack<1>> F = deformation_gradient_of_pack(slot + lane);
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) lanes[a][b][lane] = F(a, b)[0];
+    }
+    Mat<d, Pack<V>> all;
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b) all(a, b) = Pack<V>::load(lanes[a][b]);
+    return all;
+  }
+}
+
 /// First Piola-Kirchhoff stress of one block into P, and F into `F_out` if a term needs it. Returns false if
 /// some determinant is not positive (or not a number).
 template <int d, int W, MaterialModel<d> M, class DeformationGradient>
 bool stress_sweep(const M& material, DeformationGradient&& deformation_gradient_of_pack, const Block& block,
                   StressWindow& P, Field* F_out) {
-  using Real = Pack<W>;
+  constexpr int V = native_width;
+  using Real = Pack<V>;
   Real unsound(0);
-  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
-    const Mat<d, Real> F = deformation_gradient_of_pack(pack);
+  for (Index slot = block.begin(); slot < block.end(); slot += V) {
+    const Mat<d, Real> F = gathered<d, W, V>(deformation_gradient_of_pack, slot, block.end());
     const Mat<d, Real> stress = material.first_piola(F);
-    const Index place = P.place(pack * W);
+    const Index place = P.place(slot);
     for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b) stress(a, b).store(P[a * d + b] + place);
-    if (F_out)
+      for (int b = 0; b < d; ++b)
+        stress(a, b).store(P[a * d + b] + place);  // a block's memory is always whole
+    if (F_out) {
+      const Index count = std::min<Index>(V, block.end() - slot);
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) F(a, b).store((*F_out)[a * d + b] + pack * W);
+        for (int b = 0; b < d; ++b) {
+          double values[V];
+          F(a, b).store(values);
+          std::copy_n(values, count, (*F_out)[a * d + b] + slot);
+        }
+    }
     unsound += not_positive(determinant<d, Real>(F));
   }
   double count = 0;
-  for (int lane = 0; lane < W; ++lane) count += unsound[lane];
+  for (int lane = 0; lane < V; ++lane) count += unsound[lane];
   return count == 0;
 }
 
