@@ -140,42 +140,12 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
   std::vector<SlotRow<d>> rows(kinds.representative.size());
 #pragma omp parallel for schedule(static)
   for (Index k = 0; k < static_cast<Index>(rows.size()); ++k)
-<<<<<<< HEAD
-    rows[k] = slot_row<d>(kinds.representative[k], cloud, all, table.slots, neighbourhoods, bonds, options);
-
-  std::vector<std::int32_t> row_of_slot(table.slots.count(), -1);
-  for (Index i = 0; i < cloud.size(); ++i) {
-    row_of_slot[table.slots.of(i)] = kinds.of[i];
-    const auto neighbours = static_cast<std::int64_t>(all.of(i).size()) - 1;
-    table.pairs += neighbours;
-    table.most_neighbours = std::max(table.most_neighbours, neighbours);
-  }
-  const int W = table.width;
-  table.begin.push_back(0);
-  const Kinds packs = cloud.line == 0
-                          ? all_different(table.slots.packs())
-                          : group(table.slots.packs(), [&](Index p, std::vector<std::int64_t>& value) {
-                              value.assign(row_of_slot.begin() + p * W, row_of_slot.begin() + (p + 1) * W);
-                            });
-  table.row = packs.of;
-  std::vector<const SlotRow<d>*> lanes(W);
-  for (const Index p : packs.representative) {
-    for (int lane = 0; lane < W; ++lane) {
-      const auto r = row_of_slot[p * W + lane];
-      lanes[lane] = r < 0 ? nullptr : &rows[r];
-    }
-    append_row<d>(table, lanes, options);
-  }
-  for (const auto o : table.offset) table.margin = std::max<Index>(table.margin, std::abs(o));
-  table.margin += W;
+    rows[k] = slot_row<d>(kinds.representative[k], seen, neighbourhoods, bonds, options);
+  pack(table, rows, rows_of_slots(seen, kinds, table), options);
   for (auto* values :
        {&table.separation, &table.stencil, &table.force, &table.laplacian, &table.outer_laplacian})
     values->shrink_to_fit();  // of a cloud with a row per particle these are most of the memory
   table.offset.shrink_to_fit();
-=======
-    rows[k] = slot_row<d>(kinds.representative[k], seen, neighbourhoods, bonds, options);
-  pack(table, rows, rows_of_slots(seen, kinds, table), options);
->>>>>>> main
   return table;
 }
 

@@ -34,7 +34,7 @@ template <int d>
 struct Term {
   std::string name;
   std::size_t bytes = 0;        ///< of its own arrays
-  double bytes_per_update = 0;  ///< read and written at each evaluation, as in THEORY (10.6)
+  double bytes_per_update = 0;  ///< read and written at each evaluation, as in THEORY (10.8)
   /// Runs with the stress; may read displacement and velocity of slots that share a bond and write the term's
   /// own arrays.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
@@ -154,7 +154,28 @@ void find_force(Solid<d>& solid, const State<d>& state, const Block& block, doub
                 solid.stored_force[k] + block.begin());
 }
 
-<<<<<<< HEAD
+/// The second half of an evaluation, if forces are stored: a term that needs all of them, those behind it,
+/// and the update.
+template <int d, class Update>
+void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, const Arm<d>& arm,
+                          Update&& update) {
+  auto rest = std::find_if(solid.terms.begin(), solid.terms.end(),
+                           [](const Term<d>& term) { return static_cast<bool>(term.whole); });
+  if (rest != solid.terms.end()) (rest++)->whole(solid, state, arm, solid.stored_force);
+  const Index blocks = solid.blocks();
+#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
+  for (Index b = 0; b < blocks; ++b) {
+    const Block block = solid.block(b);
+    BlockForce<d> stored(block);
+    for (int k = 0; k < d; ++k)
+      std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
+                  stored.at(k, block.begin()));
+    for (auto term = rest; term != solid.terms.end(); ++term)
+      if (term->second) term->second(solid, block, state, time, stored);
+    update(block, stored);
+  }
+}
+
 /// Room for the stresses of a body, with as many shares as threads will work on it.
 template <int d>
 StressWindow make_stress_window(const Solid<d>& solid) {
@@ -176,39 +197,13 @@ bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index
   }
   while (next < end) force(next++);
   return true;
-=======
-/// The second half of an evaluation, if forces are stored: a term that needs all of them, those behind it,
-/// and the update.
-template <int d, class Update>
-void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, const Arm<d>& arm,
-                          Update&& update) {
-  auto rest = std::find_if(solid.terms.begin(), solid.terms.end(),
-                           [](const Term<d>& term) { return static_cast<bool>(term.whole); });
-  if (rest != solid.terms.end()) (rest++)->whole(solid, state, arm, solid.stored_force);
-  const Index blocks = solid.blocks();
-#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
-  for (Index b = 0; b < blocks; ++b) {
-    const Block block = solid.block(b);
-    BlockForce<d> stored(block);
-    for (int k = 0; k < d; ++k)
-      std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
-                  stored.at(k, block.begin()));
-    for (auto term = rest; term != solid.terms.end(); ++term)
-      if (term->second) term->second(solid, block, state, time, stored);
-    update(block, stored);
-  }
->>>>>>> main
 }
 
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
 /// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
-<<<<<<< HEAD
 /// J <= 0 or is not a number; some blocks, far from there, have then been updated, and the integrator goes
-/// back.
-=======
-/// J <= 0 or is not a number; some blocks have then been updated, and the integrator goes back. `arm`: of an
-/// integrator that keeps angular momentum about other points than the positions of the evaluation.
->>>>>>> main
+/// back. `arm`: of an integrator that keeps angular momentum about other points than the positions of the
+/// evaluation.
 ///
 /// A block's force follows as soon as the stresses that it reads are known, while they are still in the
 /// cache; what reads beyond its share waits until all are known. Every block gets the same numbers whatever

@@ -40,6 +40,15 @@ class StressWindow {
   double* operator[](int component) { return values_[component]; }
   const double* operator[](int component) const { return values_[component]; }
   double at(int component, Index slot) const { return values_[component][place(slot)]; }
+  /// W slots from any one on; they may belong to two blocks.
+  template <int W>
+  Pack<W> load(int component, Index slot) const {
+    const Index first = place(slot);
+    if (place(slot + W - 1) == first + W - 1) return Pack<W>::load(values_[component] + first);
+    double lanes[W];
+    for (int lane = 0; lane < W; ++lane) lanes[lane] = at(component, slot + lane);
+    return Pack<W>::load(lanes);
+  }
 
   /// Forgets what an evaluation that failed has left behind: times a weight of zero it would not be zero.
   void clear() { *this = StressWindow(values_.components(), blocks_, reach_, shares_); }

@@ -92,6 +92,8 @@ bool stress_sweep(const M& material, DeformationGradient&& deformation_gradient_
 /// Internal force per unit reference volume of one block: f_i = P_i s_i + sum_j P_j a_ij, THEORY (5.1).
 template <int d, int W>
 void force_sweep(const BondTable<d>& bonds, const StressWindow& P, const Block& block, BlockForce<d>& force) {
+  static_assert(W ==
+                1);  // a pack of others may lie in two blocks; lattice_force_sweep() reads whole packs only
   using Real = Pack<W>;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;

@@ -41,7 +41,7 @@ struct Stepper {
   /// Of the forces of a step's evaluations in the change of v over dt; a single one counts at both ends of
   /// the step. Empty: unknown, and there is no budget.
   std::vector<double> weights = {};
-  /// Vectors per particle that it reads and writes at every evaluation, for THEORY (10.6).
+  /// Vectors per particle that it reads and writes at every evaluation, for THEORY (10.8).
   int vectors_moved = 0;
 };
 

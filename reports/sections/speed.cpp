@@ -115,22 +115,17 @@ Section write(const Results& results) {
       "GFLOP/s in fused multiply-adds and {:.3g} GB/s in the triad.",
       fastest * 1e-6, result.at("machine").at("fma_gflops").get<double>(),
       result.at("machine").at("triad_gbs").get<double>());
-<<<<<<< HEAD
   s.figures = {picture_of(rows, "-3d", "speed-3d", "Cost in 3D, lattices"),
                picture_of(rows, "-3d-jittered", "speed-3d-jittered", "Cost in 3D, jittered clouds"),
                picture_of(rows, "-2d", "speed-2d", "Cost in 2D, lattices"),
                picture_of(rows, "-2d-jittered", "speed-2d-jittered", "Cost in 2D, jittered clouds")};
   s.tables = {table_of(rows), exponents_of(result.at("exponents")), speed_ups_of(result),
-              kernels_of(results.json("bench-kernels").at("rows")), peers()};
-=======
-  s.figures = {picture_of(rows)};
-  s.tables = {table_of(rows)};
->>>>>>> main
+              kernels_of(results.json("bench-kernels").at("rows"))};
   s.notes = {
       "An update is one evaluation of F, stress and force for one particle; a step of RK3 has three. Shares "
       "are those of what as many cores do at the same time. That of the FMA limit counts the operations of "
       "the plain sums over all bonds (d + 4 d² for each): the lattice loops do the same sums with fewer. "
-      "That of the triad limit counts the bytes of THEORY (10.6); part of them never leaves the caches. "
+      "That of the triad limit counts the bytes of THEORY (10.8); part of them never leaves the caches. "
       "Small bodies run on one thread: below 4096 places a second one costs more than it brings. Timings "
       "are never checked: they depend on what else the machine does."};
   return s;
@@ -140,23 +135,15 @@ Section write(const Results& results) {
 
 /// Speed of whole runs.
 SectionPlan speed(bool long_run) {
-<<<<<<< HEAD
   std::vector<std::string> whole_runs{"bench",     "--all", "--cores",   "1,2",
                                       "--repeats", "2",     "--seconds", "0.02"};
   if (long_run) whole_runs = {"bench", "--full", "--repeats", "2", "--seconds", "0.2"};
-  return {850,
+  return {910,
           "speed",
           "Speed",
           {{"bench", std::move(whole_runs), {}},
            {"bench-kernels", {"bench", "--kernels", "--n", "27000", "--seconds", "0.05"}, {}}},
           write};
-=======
-  std::vector<std::string> arguments{
-      "bench",   "--n",       long_run ? "1000,8000,64000,1000000,4000000" : "1000,8000,64000",
-      "--cores", "1,2",       "--repeats",
-      "3",       "--seconds", "0.05"};
-  return {910, "speed", "Speed", {{"bench", std::move(arguments), {}}}, write};
->>>>>>> main
 }
 
 }  // namespace plumb::reports::sections

@@ -28,7 +28,7 @@ TEST(Bench, HoldsWholeRunsAgainstTheMachine) {
                             "bytes_per_particle", "fraction_of_fma", "fraction_of_triad"})
       EXPECT_TRUE(row.contains(key)) << key;
     EXPECT_GT(row["updates_per_cpu_s"].get<double>(), 0);
-    // THEORY (10.6) on shared rows. Adjoint, Verlet: 8 (3 + 2 9 + 3 8); paper: 8 (2 + 2 4 + 2 6) and JST 24 2
+    // THEORY (10.8) on shared rows. Adjoint, Verlet: 8 (3 + 2 9 + 3 8); paper: 8 (2 + 2 4 + 2 6) and JST 24 2
     EXPECT_EQ(row["bytes_per_update"].get<double>(), row["dimension"] == 3 ? 360 : 224);
   }
   EXPECT_EQ(result["rows"][0]["n"], 1000);

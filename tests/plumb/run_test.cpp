@@ -158,7 +158,7 @@ TEST_F(RunCommand, FirstStepAndNumberOfStepsOfTheSwingingPlate) {
   EXPECT_EQ(summary["steps"], 72);
   // Three evaluations a step: work does not depend on the machine.
   EXPECT_EQ(summary["work"]["particle_evaluations"], 121 * 3 * 72);
-  // THEORY (10.6) on a lattice: 8 (2 + 2 4 + 2 6) and JST 24 2
+  // THEORY (10.8) on a lattice: 8 (2 + 2 4 + 2 6) and JST 24 2
   EXPECT_EQ(summary["work"]["bytes"], 121 * 3 * 72 * 224);
 }
 

@@ -29,14 +29,7 @@ struct SspRk3 {
 
     bool step(Solid<d>& solid, State<d>& state, double dt) {
       const double t = state.time;
-<<<<<<< HEAD
       std::fill(kept_.begin(), kept_.end(), 0);
-      const bool sound = stage(solid, state, t, dt, 0, 1) &&
-                         stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4) &&
-                         stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3);
-=======
-      u0_ = state.u;
-      v0_ = state.v;
       // THEORY (5.5)
       const Arm<d> first = [&](Index i) -> Vec<d> { return at(state.u, i) - dt * at(state.v, i); };
       const Arm<d> second = [&](Index i) -> Vec<d> {
@@ -48,7 +41,6 @@ struct SspRk3 {
       const bool sound = stage(solid, state, t, dt, 0, 1, first) &&
                          stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4, second) &&
                          stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3, third);
->>>>>>> main
       if (!sound) {
         go_back(solid, state);
         return false;
@@ -59,35 +51,22 @@ struct SspRk3 {
     }
 
    private:
-<<<<<<< HEAD
-    /// U <- kept U^n + fresh (U + dt R(U, t)); the first stage puts U^n aside on the way.
-    bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh) {
-      const double per_mass = dt / solid.elastic.density;
-      return evaluate(solid, state, t, [&](const Block& block, BlockForce<d>& force) {
-        if (kept == 0) keep(state, block);
-        for (int k = 0; k < d; ++k) {
-          double* u = state.u[k];
-          double* v = state.v[k];
-          const double* u0 = u0_[k];
-          const double* v0 = v0_[k];
-          const double* f = force.at(k, block.begin()) - block.begin();
-=======
     static Vec<d> at(const Field& field, Index i) { return vector_at<d>(field, i); }
 
-    /// U <- kept U^n + fresh (U + dt R(U, t)).
+    /// U <- kept U^n + fresh (U + dt R(U, t)); the first stage puts U^n aside on the way.
     bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh,
                const Arm<d>& arm) {
       const double per_mass = dt / solid.elastic.density;
       return evaluate(
           solid, state, t,
           [&](const Block& block, BlockForce<d>& force) {
+            if (kept == 0) keep(state, block);
             for (int k = 0; k < d; ++k) {
               double* u = state.u[k];
               double* v = state.v[k];
               const double* u0 = u0_[k];
               const double* v0 = v0_[k];
               const double* f = force.at(k, block.begin()) - block.begin();
->>>>>>> main
 #pragma omp simd
               for (Index i = block.begin(); i < block.end(); ++i) {
                 u[i] = kept * u0[i] + fresh * (u[i] + dt * v[i]);
