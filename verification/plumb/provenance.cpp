@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <ctime>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -20,6 +21,12 @@ std::string version() {
 std::string version_text() {
   return fmt::format("plumb {} (commit {}, {} build, {}, {})", PLUMB_VERSION, PLUMB_COMMIT, PLUMB_BUILD_TYPE,
                      PLUMB_COMPILER, PLUMB_FLAGS);
+}
+
+std::string build_identity() {
+  const auto file = std::filesystem::canonical("/proc/self/exe");
+  return fmt::format("{}, {} bytes of {}", version_text(), std::filesystem::file_size(file),
+                     std::filesystem::last_write_time(file).time_since_epoch().count());
 }
 
 nlohmann::ordered_json provenance() {
