@@ -77,6 +77,15 @@ void set_ranges(Prepared& p) {
         x.add(map->x[k] + side * map->size);
         y.add(map->y[k] + side * map->size);
       }
+  if (const auto* rows = std::get_if<Intervals>(&p.picture.map)) {
+    for (const auto* values : {&rows->low, &rows->value, &rows->high, &rows->expected}) x.add(*values);
+    y.add(-0.6);
+    y.add(static_cast<double>(rows->names.size()) - 0.4);
+  }
+  if (const auto* map = std::get_if<Patches>(&p.picture.map)) {
+    x.add(map->x);
+    y.add(map->y);
+  }
   p.x = padded(x, p.picture.x, has_map ? 0 : 0.03);
   p.y = padded(y, p.picture.y, has_map ? 0 : 0.06);
 }
@@ -157,8 +166,15 @@ void set_margins(Prepared& p) {
     for (const auto& name : map->names) longest = std::max(longest, letters(name));
   const double wide = static_cast<double>(longest) * letter_px;
   const bool category = std::holds_alternative<CategoryMap>(picture.map);
-  if (std::holds_alternative<HeatMap>(picture.map) || std::holds_alternative<PointMap>(picture.map))
+  const bool body = std::holds_alternative<Patches>(picture.map);
+  if (body || std::holds_alternative<HeatMap>(picture.map) || std::holds_alternative<PointMap>(picture.map))
     p.margins.right = 92;
+  if (body) p.margins.left = 14, p.margins.bottom = 12 + notes;  // no axes
+  if (const auto* rows = std::get_if<Intervals>(&picture.map)) {
+    std::size_t name = 0;
+    for (const auto& row : rows->names) name = std::max(name, letters(row));
+    p.margins.left = std::min(20 + static_cast<double>(name) * letter_px, 0.62 * picture.width);
+  }
   if (picture.labels == Labels::legend || category) {
     const std::size_t entries =
         picture.series.size() + (category ? std::get<CategoryMap>(picture.map).names.size() : 0);

@@ -149,7 +149,7 @@ SectionPlan spectrum(bool) {
   const std::string plate = "verification/scenes/free_plate.toml", betas = "method.beta=0.6,0.9,1.2,1.5",
                     gradients = "method.gradient=standard,improved,compatible";
   return {
-      60,
+      720,
       "spectrum",
       "Spectrum of the linearised operator",
       {job("cube-no-jst", cube, {}), job("cube-jst-64", cube, {"--set", "jst.eta4=0.015625"}),

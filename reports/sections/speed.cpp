@@ -102,7 +102,7 @@ SectionPlan speed(bool long_run) {
       "bench",   "--n",       long_run ? "1000,8000,64000,1000000,4000000" : "1000,8000,64000",
       "--cores", "1,2",       "--repeats",
       "3",       "--seconds", "0.05"};
-  return {850, "speed", "Speed", {{"bench", std::move(arguments), {}}}, write};
+  return {910, "speed", "Speed", {{"bench", std::move(arguments), {}}}, write};
 }
 
 }  // namespace plumb::reports::sections

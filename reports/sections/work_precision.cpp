@@ -112,12 +112,15 @@ Section write(const Results& results) {
       auto& both = by_error[number(row, "error")];
       (text(row, "measure") == "cpu_s" ? both.first : both.second) = row;
     }
-    for (const auto& entry : by_error)
+    for (const auto& entry : by_error) {
+      cheapest.row_jobs.push_back(comparison.id);
       cheapest.rows.push_back({comparison.title, entry.first, text(entry.second.first, "method"),
                                number(entry.second.first, "cost"), text(entry.second.second, "method"),
                                number(entry.second.second, "cost")});
+    }
     for (const auto& point : result.at("points")) {
       const bool broken = point.at("error").is_null();
+      all.row_jobs.push_back(comparison.id);
       points_on_front += point.at("front_cpu") == true;
       all.rows.push_back({text(point, "method"), number(point, "d"),
                           broken ? Entry("unstable") : Entry(number(point, "error")), number(point, "cpu_s"),
@@ -148,7 +151,7 @@ Section write(const Results& results) {
 
 /// Error against run time and against work.
 SectionPlan work_precision(bool long_run) {
-  SectionPlan plan{130, "work", "Error against run time", {}, write};
+  SectionPlan plan{410, "work", "Error against run time", {}, write};
   for (const auto& comparison : comparisons()) plan.jobs.push_back(job_of(comparison, long_run));
   return plan;
 }

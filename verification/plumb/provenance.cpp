@@ -5,11 +5,11 @@
 #include <omp.h>
 
 #include <ctime>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "plumb/build.hpp"
+#include "plumb/code.hpp"
 #include "plumb/commit.hpp"
 
 namespace plumb {
@@ -24,9 +24,7 @@ std::string version_text() {
 }
 
 std::string build_identity() {
-  const auto file = std::filesystem::canonical("/proc/self/exe");
-  return fmt::format("{}, {} bytes of {}", version_text(), std::filesystem::file_size(file),
-                     std::filesystem::last_write_time(file).time_since_epoch().count());
+  return fmt::format("{}, code {}", version_text(), PLUMB_CODE);
 }
 
 nlohmann::ordered_json provenance() {
