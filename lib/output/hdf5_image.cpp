@@ -67,18 +67,26 @@ std::vector<T> values_of(hid_t file, const char* name, std::size_t count, std::s
   return values;
 }
 
-/// The superblock (HDF5 file format, version 0) that this program writes: addresses of 8 bytes from 0, the
-/// end of the file where it is, no free space and no driver's block. HDF5 1.10 believes an address beyond the
-/// end, and takes memory and seconds for what is not there.
-bool has_our_superblock(std::string_view bytes) {
-  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-  constexpr std::size_t addresses = 24, length = 96;
-  constexpr std::uint64_t none = ~std::uint64_t{0};
-  if (bytes.size() < length || !bytes.starts_with(signature)) return false;
-  if (bytes.substr(8, 8) != std::string_view("\0\0\0\0\0\x08\x08\0", 8)) return false;
-  std::array<std::uint64_t, 4> address{};  // base, free space, end, driver
-  std::memcpy(address.data(), bytes.data() + addresses, sizeof address);
-  return address == std::array<std::uint64_t, 4>{0, none, bytes.size(), none};
+std::uint64_t number_at(std::string_view bytes, std::size_t place) {
+  std::uint64_t number = 0;
+  std::memcpy(&number, bytes.data() + place, sizeof number);
+  return number;
+}
+
+/// Whether a file begins as every file of this program does, an empty one too: superblock (version 0) and
+/// header of the root group are the same but for the end of the file, and the group's names lie within the
+/// file. HDF5 1.10 believes what stands there: it takes memory and seconds for names of any size, and for a
+/// driver's block beyond the end.
+bool begins_as_ours(std::string_view bytes) {
+  constexpr std::size_t end = 40, heap = 88, length = 136;  // places in the file
+  std::string expected = Hdf5Image().bytes().substr(0, length);
+  const std::uint64_t size = bytes.size();
+  std::memcpy(expected.data() + end, &size, sizeof size);
+  if (!bytes.starts_with(expected)) return false;
+  const std::uint64_t names = number_at(bytes, heap);
+  if (names > size || size - names < 32) return false;
+  const std::uint64_t taken = number_at(bytes, names + 8), place = number_at(bytes, names + 24);
+  return taken <= size && place <= size - taken;
 }
 
 }  // namespace
@@ -94,7 +102,7 @@ Hdf5Image::Hdf5Image() {
 
 Hdf5Image::Hdf5Image(std::string_view bytes) : most_(bytes.size()) {
   const Quiet quiet;
-  if (!has_our_superblock(bytes))
+  if (!begins_as_ours(bytes))
     throw InputError("it is not an HDF5 file of this program", "its first block differs", "");
   std::string copy(bytes);  // HDF5 wants to be able to write to it
   file_ = H5LTopen_file_image(copy.data(), copy.size(), 0);

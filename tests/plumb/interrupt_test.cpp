@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                   std::string("oned study --n 20000,40000,80000,160000 --estimator standard,improved,bond "
                               "--radius-over-dx 4")),
         std::pair("Bench", std::string("bench --n 1000,8000 --repeats 1 --seconds 0.1"))),
-    [](const auto& info) { return std::string(info.param.first); });
+    [](const auto& test) { return std::string(test.param.first); });
 
 /// A stability study keeps every run for ever: what is finished is never run again.
 TEST(InterruptStability, FinishedRunsAreKept) {

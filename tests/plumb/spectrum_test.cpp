@@ -49,9 +49,12 @@ TEST(SpectrumCommand, OnTheLatticeTheEigenvaluesFollowFromTheGradient) {
       // THEORY (9.5): |g|^2 once and (C_s/C_p)^2 |g|^2 otherwise; rounding of sums of some ten terms
       EXPECT_NEAR(row["largest"].get<double>(), g2, 1e-13);
       EXPECT_NEAR(row["lowest"].get<double>(), shear * g2, 1e-13);
-      if (theta > 3.14)
+      if (theta > 3.14) {
         EXPECT_NEAR(row["gradient"].get<double>(), 0, 1e-14) << "an alternating motion is not seen";
-      if (theta < 0.4) EXPECT_NEAR(row["gradient"].get<double>(), 1, axes * theta * theta) << "second order";
+      }
+      if (theta < 0.4) {
+        EXPECT_NEAR(row["gradient"].get<double>(), 1, axes * theta * theta) << "second order";
+      }
     }
   }
 }
