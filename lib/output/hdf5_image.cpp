@@ -95,7 +95,10 @@ Hdf5Image::Hdf5Image() {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   constexpr std::size_t growth = std::size_t{1} << 16U;
   H5Pset_fapl_core(access, growth, false);
-  file_ = H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  // HDF5 takes files in memory of the same name for the same file: the address is another one for each that
+  // lives
+  const std::string name = fmt::format("image {}", static_cast<const void*>(this));
+  file_ = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   H5Pclose(access);
   if (file_ < 0) throw std::runtime_error("HDF5 cannot make a file in memory");
 }

@@ -15,6 +15,13 @@ using nlohmann::json;
 using test::run_shell;
 const std::string root = PLUMBLINE_SOURCE_DIR, plumb = PLUMB_EXECUTABLE;
 
+/// Runs the call and ends it by Ctrl-C as soon as the condition holds, if it is not over before.
+test::Outcome interrupted_when(const std::string& condition, const std::string& call) {
+  return run_shell(
+      call + " & run=$!; until (" + condition +
+      ") >/dev/null 2>&1 || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; kill -INT $run; wait $run");
+}
+
 /// The result without what depends on the clock, the machine and the command line.
 void drop_times(json& value) {
   if (value.is_object())
@@ -44,9 +51,7 @@ class Interrupt : public testing::TestWithParam<std::pair<const char*, std::stri
 TEST_P(Interrupt, FinishedPartsAreKeptAndUsed) {
   ASSERT_LE(run_shell(call(to("whole.json"))).code, 1);
   EXPECT_FALSE(std::filesystem::exists(kept())) << "a whole study leaves nothing behind";
-  const auto ended = run_shell(call(to("none.json")) + " & run=$!; until ls " + kept() +
-                               "/*.json >/dev/null 2>&1 || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; "
-                               "kill -INT $run; wait $run");
+  const auto ended = interrupted_when("ls " + kept() + "/*.json", call(to("none.json")));
   ASSERT_EQ(ended.code, 1) << ended.error;
   ASSERT_NE(ended.error.find("finished parts are kept in"), std::string::npos) << ended.error;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.json"));
@@ -86,9 +91,7 @@ TEST(InterruptStability, FinishedRunsAreKept) {
   const std::string call = plumb + " stability " + root +
                            "/verification/stability/small-motion.toml --threads 1 --cache " + cache +
                            " --json " + (folder / "result.json").string();
-  const auto ended = run_shell(call + " & run=$!; until [ $(ls " + cache +
-                               " 2>/dev/null | wc -l) -ge 5 ]; do sleep 0.01; "
-                               "done; kill -INT $run; wait $run");
+  const auto ended = interrupted_when("[ $(ls " + cache + " | wc -l) -ge 5 ]", call);
   ASSERT_EQ(ended.code, 1) << ended.error;
   EXPECT_EQ(json::parse(test::content_of(folder / "result.json"))["status"], "interrupted");
   const auto count = [&] { return std::distance(std::filesystem::directory_iterator(cache), {}); };
@@ -96,8 +99,8 @@ TEST(InterruptStability, FinishedRunsAreKept) {
   ASSERT_GE(before, 5);
   ASSERT_EQ(run_shell(call).code, 0);
   long runs = 0;
-  for (const auto& row : json::parse(test::content_of(folder / "result.json"))["rows"])
-    runs += row["runs"].get<long>();
+  const json whole = json::parse(test::content_of(folder / "result.json"));
+  for (const auto& row : whole["rows"]) runs += row["runs"].get<long>();
   EXPECT_EQ(count(), runs) << "each run was made once, before or after the interruption";
   EXPECT_GT(runs, before);
 }
@@ -105,11 +108,9 @@ TEST(InterruptStability, FinishedRunsAreKept) {
 /// A report keeps every finished study in its store.
 TEST(InterruptReport, FinishedStudiesAreStored) {
   const test::TemporaryFolder folder;
-  const std::string call = plumb + " report --only gradients-1d,kernels-1d --threads 1 --root " + root +
+  const std::string call = plumb + " report --only kernels,gradients,refinement --threads 1 --root " + root +
                            " --out " + (folder / "out").string();
-  const auto ended =
-      run_shell(call + " & run=$!; until ls " + (folder / "out").string() +
-                "/store/*/cost.json >/dev/null 2>&1; do sleep 0.002; done; kill -INT $run; wait $run");
+  const auto ended = interrupted_when("ls " + (folder / "out").string() + "/store/*/cost.json", call);
   ASSERT_EQ(ended.code, 1) << ended.out;
   EXPECT_NE(ended.error.find("studies are finished and stored"), std::string::npos) << ended.error;
   const auto rest = run_shell(call);
