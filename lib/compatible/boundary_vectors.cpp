@@ -11,12 +11,6 @@ namespace {
 /// Linear extrapolation from inside needs two layers of particles, so at least this ratio of h to spacing.
 constexpr double least_beta = 1.2;
 
-/// Distance of a particle from the plane of its facet [m].
-template <int d>
-double depth(const Cloud<d>& cloud, const Facet<d>& facet) {
-  return std::abs((facet.centroid - cloud.X[facet.owner]).dot(facet.area)) / facet.area.norm();
-}
-
 template <int d>
 std::vector<Vec<d>> lumped(const Cloud<d>& cloud, const RadialKernel<d>& kernel, double h,
                            const std::vector<Facet<d>>& facets) {
@@ -27,7 +21,7 @@ std::vector<Vec<d>> lumped(const Cloud<d>& cloud, const RadialKernel<d>& kernel,
   std::vector<Neighbour<d>> seen;
   for (const Facet<d>& facet : facets) {
     // 1e-9 spacings: on the face, but for the rounding of coordinates
-    if (depth(cloud, facet) < 1e-9 * cloud.spacing) {
+    if (facet.depth < 1e-9 * cloud.spacing) {
       B[facet.owner] += facet.area;
       continue;
     }
