@@ -81,6 +81,9 @@ std::vector<Vec<d>> lattice_over(const Box<d>& box, const Filling& filling) {
     X.push_back(first);
     for (Index k = d - 1, rest = n; k >= 0; rest /= count[k], --k)
       X.back()[k] += filling.spacing * static_cast<double>(rest % count[k]);
+    for (int k = 0; k < d; ++k)  // a face is met in spite of rounding
+      for (const double face : {box.origin[k], box.origin[k] + box.size[k]})
+        if (std::abs(X.back()[k] - face) < 1e-9 * filling.spacing) X.back()[k] = face;
   }
   return X;
 }

@@ -2,6 +2,9 @@
 // or says why it does not. THEORY chapter 11.
 #include <gtest/gtest.h>
 
+#include <iostream>
+#include <set>
+
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/compatible/compatible.hpp"
 #include "plumbline/geometry/clipped_cells.hpp"
@@ -78,6 +81,8 @@ std::vector<std::pair<std::string, Shape<d>>> shapes() {
   return found;
 }
 
+const std::set<std::string> smooth{"ball", "annulus", "hole"};
+
 template <int d>
 void shapes_become_compatible(double spacing) {
   for (const auto& [name, shape] : shapes<d>())
@@ -94,16 +99,22 @@ void shapes_become_compatible(double spacing) {
           EXPECT_LT(made.report.divergence_remainder, 1e-13);
           expect_compatible(made, surface.volume);
         } catch (const InputError& error) {
-          ADD_FAILURE() << error.problem() << ": " << error.why();
+          // edges and corners of a body get no particles of their own on node layouts: it may be refused
+          // there
+          EXPECT_TRUE(layout == Layout::node && !smooth.contains(name))
+              << error.problem() << ": " << error.why();
+          EXPECT_NE(error.problem().find("particle"), std::string::npos) << error.problem();
+          std::cout << "refused: " << name << ", node, jitter " << jitter << (blue ? ", blue noise: " : ": ")
+                    << error.problem() << "\n";
         }
       }
 }
 
 TEST(CompatibleShapes, Plane) {
-  shapes_become_compatible<2>(0.12);
+  shapes_become_compatible<2>(0.125);
 }
 TEST(CompatibleShapes, Solid) {
-  shapes_become_compatible<3>(0.3);
+  shapes_become_compatible<3>(0.25);
 }
 
 }  // namespace

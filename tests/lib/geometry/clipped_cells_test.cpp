@@ -70,11 +70,11 @@ void cells_fill(const NamedShape<d>& named, double spacing) {
         sum += facet.area;
         enclosed += facet.centroid.dot(facet.area) / d;
       }
-      // 2D: neighbouring cells meet in the same points of the surface. 3D: their triangles leave cracks as
-      // deep as the sagittas.
-      const double closed = d == 2 ? 1e-9 : 2e-3 * spacing * spacing;
-      EXPECT_LT(sum.norm() / volume, closed);
-      EXPECT_NEAR(enclosed / volume, 1, d == 2 ? 1e-9 : 2e-2 * spacing * spacing);
+      // 2D: neighbouring cells meet in the same points of the surface, found to 1e-10 spacings. 3D: their
+      // triangles leave cracks as deep as the sagittas.
+      EXPECT_LT(sum.norm() / volume, d == 2 ? 1e-9 : 2e-3 * spacing * spacing);
+      // pieces of an arc as long as a spacing make one facet, whose centroid is off by spacing^2/(24 R)
+      EXPECT_NEAR(enclosed / volume, 1, named.curved ? spacing * spacing / 3 : 1e-9);
     }
 }
 
