@@ -18,7 +18,7 @@ Check number_check(std::string what, double measured, double expected, double to
 }
 
 Check bound_check(std::string what, double largest, double bound, const std::string& reason) {
-  return {std::move(what), fmt::format("at most {:.0e} ({})", bound, reason), number_text(largest, 2),
+  return {std::move(what), fmt::format("at most {:g} ({})", bound, reason), number_text(largest, 2),
           pass_if(largest <= bound)};
 }
 

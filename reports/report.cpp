@@ -65,7 +65,7 @@ Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& opt
 
 /// The section, or what is to be said in its place.
 PageSection written(const SectionPlan& plan, const Results& results, ReportSummary& summary) {
-  PageSection out{plan.id, plan.title, {}, {}};
+  PageSection out{plan.id, plan.title, {}, {}, chapter_of(plan.place)};
   for (const auto& job : plan.jobs) out.jobs.emplace_back(job.id, results.job(job.id));
   try {
     out.section = plan.write(results);
@@ -96,16 +96,35 @@ Table csv_of(const DataTable& table) {
   return csv;
 }
 
-void write_data(const Section& section, const fs::path& out) {
-  for (const auto& figure : section.figures) {
-    replace_file(out / "data" / (figure.id + ".csv"), data_csv(figure.picture));
-    save(figure.picture, out / "figures" / (figure.id + ".svg"));
+/// Writes the data of every figure and table, and the figures, which are kept for the page.
+void write_data(PageSection& section, const fs::path& out) {
+  for (const auto& figure : section.section.figures) {
+    std::string data;
+    for (const auto& frame : figure.frames) data += "# " + frame.label + "\n" + data_csv(frame.picture);
+    replace_file(out / "data" / (figure.id + ".csv"), data.empty() ? data_csv(figure.picture) : data);
+    section.drawn[figure.id] = svg(figure.picture, figure.id);
+    replace_file(out / "figures" / (figure.id + ".svg"), section.drawn[figure.id]);
   }
-  for (const auto& table : section.tables)
-    replace_file(out / "data" / (table.id + ".csv"), csv_text(csv_of(table)));
+  for (const auto& table : section.section.tables)
+    replace_file(out / "data" / ("table-" + table.id + ".csv"), csv_text(csv_of(table)));
 }
 
 }  // namespace
+
+std::string chapter_of(int place) {
+  static const std::vector<std::string> names{"One dimension",
+                                              "Operators",
+                                              "Manufactured solutions",
+                                              "Error against run time",
+                                              "The paper's cases",
+                                              "Conservation",
+                                              "Stability and spectra",
+                                              "Claims and planted faults",
+                                              "Speed",
+                                              "Bad input"};
+  const int chapter = place / 100 - 1;
+  return chapter >= 0 && chapter < static_cast<int>(names.size()) ? names[chapter] : "Further";
+}
 
 std::vector<SectionPlan> section_plans(bool long_run) {
   auto plans = sections::all(long_run);
@@ -128,11 +147,13 @@ ReportSummary make_report(const ReportOptions& options) {
             {}};
   for (const auto& plan : plans) {
     page.sections.push_back(written(plan, results, summary));
-    write_data(page.sections.back().section, options.out);
+    write_data(page.sections.back(), options.out);
   }
   page.facts.emplace_back("machine", run::machine());
-  page.facts.emplace_back("cost of the studies", fmt::format("{} of CPU time in {} runs",
-                                                             duration_text(summary.cpu_s), summary.jobs));
+  page.facts.emplace_back(
+      "cost of the studies",
+      fmt::format("{} of CPU time in {} runs; {} of them were stored, from the same code and files",
+                  duration_text(summary.cpu_s), summary.jobs, summary.reused));
   summary.verdicts = count_verdicts(page.sections);
   replace_file(summary.page, html(page));
   return summary;

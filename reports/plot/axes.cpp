@@ -73,7 +73,7 @@ std::string axis_commands(const std::string& name, const Range& range, const std
   if (!ticks.empty()) return out + explicit_ticks(name, ticks);
   if (!range.log) return out + fmt::format("set {}tics {:.12g}\n", name, nice_step(range));
   const double decades = std::log10(range.high / range.low);
-  if (decades < 1.8) return out + explicit_ticks(name, one_two_five(range));
+  if (decades < 2.2) return out + explicit_ticks(name, one_two_five(range));
   const int step = static_cast<int>(std::ceil(decades / 9));
   return out + fmt::format("set {0}tics 1e{1} format \"10^{{%T}}\"\nset m{0}tics {2}\n", name, step,
                            step == 1 ? 10 : 1);

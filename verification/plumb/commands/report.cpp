@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "places.hpp"
+#include "plumb/code.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
 #include "plumb/session.hpp"
@@ -35,6 +36,7 @@ std::filesystem::path root_folder(const std::filesystem::path& given) {
 int report(const Session& session, reports::ReportOptions options) {
   options.root = root_folder(options.root);
   options.program = std::filesystem::canonical("/proc/self/exe");
+  options.code = PLUMB_CODE;
   options.threads = session.threads;
   const Json from = provenance();
   const auto entry = [&from](const char* key) { return from.value(key, Json()); };
