@@ -9,12 +9,9 @@
 
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
-<<<<<<< HEAD
+#include "mms/mirrored.hpp"
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
-=======
-#include "mms/mirrored.hpp"
->>>>>>> main
 
 namespace plumb::mms {
 namespace {

@@ -30,11 +30,12 @@ Shape<d> shape_of(const Body& body) {
 
 template <int d>
 Cloud<d> make_cloud(const Body& body) {
-  if (body.layout == Layout::mirror)
-    throw InputError("layout = \"mirror\" is not available", "reflected ghosts are not built yet",
-                     "use node or cell");
   const Shape<d> shape = shape_of<d>(body);
-  if (shape.clip || body.cloud == "blue-noise")
+  const bool whole_lattice = !shape.clip && body.cloud == "lattice";
+  if (body.layout == Layout::mirror && !whole_lattice)
+    throw InputError("layout = \"mirror\" for a shape with holes or curves, or for blue noise",
+                     "images are reflected at the faces of a box that a lattice fills", "use node or cell");
+  if (!whole_lattice)
     return shaped_cloud<d>(shape,
                            {*body.spacing, body.layout, body.cloud == "blue-noise", body.jitter, body.seed});
   Cloud<d> cloud = lattice<d>(shape.box, cells_of<d>(shape.box, *body.spacing), body.layout);

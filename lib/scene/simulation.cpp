@@ -200,20 +200,6 @@ void add_jst(Simulation<d>& simulation, const Scene& scene) {
 }  // namespace
 
 template <int d>
-<<<<<<< HEAD
-=======
-Cloud<d> make_cloud(const Body& body) {
-  Box<d> box;
-  for (int k = 0; k < d; ++k) {
-    box.origin[k] = body.origin.empty() ? 0.0 : body.origin[k];
-    box.size[k] = body.size[k];
-  }
-  Cloud<d> cloud = lattice<d>(box, cells_of<d>(box, *body.spacing), body.layout);
-  return body.jitter > 0 ? jittered<d>(std::move(cloud), body.jitter, body.seed, body.layout) : cloud;
-}
-
-template <int d>
->>>>>>> main
 BondOptions<d> bond_options(const Scene& scene, double spacing) {
   BondOptions<d> options;
   options.kernel = kernel_named<d>(scene.method.kernel);
