@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "plumbline/core/error.hpp"
@@ -43,7 +44,8 @@ std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
 
 Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& options,
                  ReportSummary& summary) {
-  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads);
+  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads,
+                         options.code);
   std::size_t total = 0;
   for (const auto& plan : plans) total += plan.jobs.size();
   Results results;
@@ -67,12 +69,17 @@ Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& opt
 PageSection written(const SectionPlan& plan, const Results& results, ReportSummary& summary) {
   PageSection out{plan.id, plan.title, {}, {}, chapter_of(plan.place)};
   for (const auto& job : plan.jobs) out.jobs.emplace_back(job.id, results.job(job.id));
+  const auto give_up = [&](const std::exception& why) {
+    out.section.answer = fmt::format("No answer: {}.", why.what());
+    out.section.checks = {{plan.title, "a result", why.what(), "not-computed"}};
+    summary.problems.push_back(fmt::format("{}: {}", plan.id, why.what()));
+  };
   try {
     out.section = plan.write(results);
   } catch (const MissingResult& missing) {
-    out.section.answer = fmt::format("No answer: {}.", missing.what());
-    out.section.checks = {{plan.title, "a result", missing.what(), "not-computed"}};
-    summary.problems.push_back(fmt::format("{}: {}", plan.id, missing.what()));
+    give_up(missing);
+  } catch (const nlohmann::json::exception& unexpected) {  // a result of another form than the section knows
+    give_up(unexpected);
   }
   return out;
 }

@@ -11,8 +11,11 @@ using plot::escaped;
 std::string tiles(const Page& page) {
   std::string out = "<div class=\"tiles\">";
   for (const auto& [name, count] : count_verdicts(page.sections))
-    out += fmt::format("<div class=\"tile v-{0}{1}\"><b>{2}</b> {0}</div>", escaped(name),
-                       count == 0 ? " none" : "", count);
+    out += count == 0 ? fmt::format("<div class=\"tile v-{0} none\"><b>0</b> {0}</div>", escaped(name))
+           : name == "pass"
+               ? fmt::format("<div class=\"tile v-{0}\"><b>{1}</b> {0}</div>", escaped(name), count)
+               : fmt::format("<a class=\"tile v-{0}\" href=\"#not-passed\"><b>{1}</b> {0}</a>", escaped(name),
+                             count);
   out += "</div>";
   std::string facts;
   for (const auto& section : page.sections)

@@ -111,7 +111,7 @@ std::string source_links(const std::vector<std::string>& jobs) {
 }
 
 std::string table(const DataTable& table, const PageSection& section) {
-  const bool long_table = table.rows.size() > 12;
+  const bool long_table = table.rows.size() > 20;
   std::string out =
       fmt::format("<details class=\"tb\" id=\"table-{}\"{}><summary>{} <small>({} rows)</small></summary>",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());

@@ -57,7 +57,8 @@ std::string with_unit(const std::string& label, const std::string& unit) {
 
 std::string tick_text(double value) {
   const double size = std::abs(value);
-  if (value == 0 || (size >= 0.999e-3 && size < 0.999e5)) return fmt::format("{:.4g}", value);
+  if (size >= 1e4 && size < 0.999e5) return fmt::format("{:.0f}", value);
+  if (value == 0 || (size >= 0.999e-3 && size < 1e4)) return fmt::format("{:.4g}", value);
   const std::string text = fmt::format("{:.3e}", value);
   const auto e = text.find('e');
   std::string digits = text.substr(0, e);

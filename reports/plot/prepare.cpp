@@ -186,6 +186,13 @@ void set_margins(Prepared& p) {
   }
 }
 
+/// A long legend makes the picture higher, not the plot flat.
+void keep_room(Prepared& p) {
+  constexpr double least = 230;  // of the plot [pixels]
+  const double left = p.picture.height - p.margins.top - p.margins.bottom;
+  if (p.legend_rows > 0 && left < least) p.picture.height += static_cast<int>(least - left);
+}
+
 /// Widens one axis about its middle until a unit of x is as long as a unit of y.
 void make_equal(Prepared& p) {
   const double width = p.picture.width - p.margins.left - p.margins.right;
@@ -210,9 +217,10 @@ Prepared prepare(const Picture& picture) {
   set_ranges(p);
   place_triangles(p);
   set_margins(p);
+  keep_room(p);
   if (picture.equal_axes) make_equal(p);
   if (picture.labels == Labels::ends && !std::holds_alternative<CategoryMap>(picture.map))
-    place_labels(p, picture.height - p.margins.top - p.margins.bottom);
+    place_labels(p, p.picture.height - p.margins.top - p.margins.bottom);
   return p;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/checks.hpp"
+#include "reports/page/page.hpp"
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
@@ -119,7 +120,7 @@ Section write(const Results& results) {
     s.tables[0].figures.push_back("column-energy");
     s.checks.push_back({v.name + ": run to its end", "completed", text(run, "status"),
                         pass_if(text(run, "status") == "completed")});
-    changes += fmt::format("{}{:+.3g} % ({})", changes.empty() ? "" : ", ", change, v.name);
+    changes += fmt::format("{}{} % ({})", changes.empty() ? "" : ", ", number_text(change, 3), v.name);
   }
   const Json first = results.json("column-paper"), kept = results.json("column-no-jst");
   s.checks.push_back(number_check("energy at the start, cell layout [J]",

@@ -72,7 +72,10 @@ Figure picture_of(const std::vector<Measured>& all) {
     found->x.push_back(m.particles);
     found->y.push_back(m.speed);
   }
-  return {"peers", picture, "Ours in this report's own run, the others as listed below.", {"bench-peers"}};
+  return {"peers",
+          picture,
+          "Ours: a run of this report; the others: measured as the table says.",
+          {"bench-peers"}};
 }
 
 DataTable table_of(const std::vector<Measured>& all, const std::string& title) {

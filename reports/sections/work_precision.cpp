@@ -66,7 +66,6 @@ Figure cost_figure(const Comparison& comparison, const Json& points, const std::
   }
   std::erase_if(p.series, [](const Series& series) { return series.x.empty(); });
   p.series.push_back(best);
-  p.height = 360 + 21 * static_cast<int>(p.series.size());
   return {comparison.id + (cost == "cpu_s" ? "-cpu" : "-pairs"),
           p,
           "Swinging plate, finite strain, U = 0.01 m, at T/8.",
