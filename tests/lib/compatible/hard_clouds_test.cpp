@@ -125,7 +125,6 @@ TEST(HardClouds, StrongJitter) {
         expect_patch_test<2>(make_simulation<2>(scene), 1e-11);
       else
         EXPECT_NE(said.find("particle"), std::string::npos) << said;
-      std::cout << beta << " " << seed << " " << said << "\n";
     }
 }
 
