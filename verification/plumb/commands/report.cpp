@@ -63,7 +63,7 @@ void add_report(CLI::App& program, Session& session) {
   CLI::App& command =
       add_command(program, session,
                   {"report", "the verification report: one HTML page, with the data behind it",
-                   "plumb report --out reports/out"},
+                   "plumb report --only kernels,gradients --out out/report"},
                   {}, [&session, options] { return report(session, *options); });
   command.add_option("--out", options->out, "folder of the report")->type_name("DIR")->capture_default_str();
   command.add_flag("--long", options->long_run, "the studies in the size of the papers too (hours)");

@@ -16,6 +16,10 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+std::string joined(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + " " + b;
+}
+
 /// "--json --csv": the options of the app that are not meant by their place.
 std::string option_words(const CLI::App& app, bool only_with_value) {
   std::string words;
@@ -76,11 +80,11 @@ std::string zsh_completes(const std::string& words, const CLI::App& app) {
 std::string bash_completion(const CLI::App& program) {
   std::string members, words, values;
   words += fmt::format("    '') words={} ;;\n",
-                       quoted(command_words(program) + " " + option_words(program, false)));
+                       quoted(joined(command_words(program), option_words(program, false))));
   for (const auto& [path, app] : every_command(program)) {
     members += (members.empty() ? "" : " | ") + quoted(" " + path);
     words += fmt::format("    {}) words={} ;;\n", quoted(" " + path),
-                         quoted(command_words(*app) + " " + option_words(*app, false)));
+                         quoted(joined(command_words(*app), option_words(*app, false))));
     if (const auto taking = option_words(*app, true); !taking.empty())
       values += fmt::format("    {}) values={} ;;\n", quoted(" " + path), quoted(" " + taking + " "));
   }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <set>
 
+#include "plumb/session.hpp"
 #include "plumb/usage.hpp"
 
 namespace plumb {
@@ -51,9 +53,20 @@ std::string option_entry(const CLI::Option& option) {
 std::string command_entry(const std::string& path, const CLI::App& app) {
   std::string text = fmt::format(".SS {}\n{}\n", plain("plumb " + path), plain(app.get_description()) + ".");
   for (const CLI::Option* option : app.get_options())
-    if (option != app.get_help_ptr()) text += option_entry(*option);
+    if (option != app.get_help_ptr() && option->get_group() != shared_options) text += option_entry(*option);
   if (const auto example = example_of(app); !example.empty())
     text += ".PP\nExample:\n.PP\n.nf\n.RS\n" + plain(example) + "\n.RE\n.fi\n";
+  return text;
+}
+
+/// The options of --json and so on, each once.
+std::string shared_entries(const CLI::App& program) {
+  std::string text;
+  std::set<std::string> seen;
+  for (const auto& [path, app] : every_command(program))
+    for (const CLI::Option* option : app->get_options())
+      if (option->get_group() == shared_options && seen.insert(option->get_name()).second)
+        text += option_entry(*option);
   return text;
 }
 
@@ -63,10 +76,13 @@ std::string manual(const CLI::App& program, const std::string& version, const st
   std::string text = fmt::format(
       ".\\\" Made by `plumb manual`: do not edit.\n.TH PLUMB 1 \"{}\" \"Plumbline {}\"\n.SH NAME\n", date,
       version);
-  text += "plumb \\- " + plain(program.get_description()) + "\n";
+  const std::string description = program.get_description();
+  text += "plumb \\- " + plain(description.substr(description.find(": ") + 2)) + "\n";
   text += ".SH SYNOPSIS\n" + bold("plumb") + " \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH FIRST STEPS\n.nf\n";
   for (const auto& [line, meaning] : first_calls()) text += plain(line) + "\n    " + plain(meaning) + "\n";
-  text += ".fi\n.SH COMMANDS\n" + plain(where_examples_run) + "\n";
+  text += ".fi\n.SH OPTIONS OF ALL COMMANDS\nTables and pictures only where a command makes them.\n" +
+          shared_entries(program);
+  text += ".SH COMMANDS\n" + plain(where_examples_run) + "\n";
   for (const auto& [path, app] : every_command(program)) text += command_entry(path, *app);
   text += ".SH EXIT STATUS\n";
   for (const auto& [code, meaning] : exit_codes)
