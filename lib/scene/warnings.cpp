@@ -32,14 +32,30 @@ std::optional<double> value_at(const Expression& formula, const auto& X) {
   }
 }
 
+/// Sums of a sample, for its spread.
+struct Sample {
+  double sum = 0, squares = 0, count = 0;
+  void add(double value) {
+    sum += value;
+    squares += value * value;
+    count += 1;
+  }
+  /// Mean square distance from the mean; 0 if that is rounding.
+  double variance() const {
+    const double spread = squares - sum * sum / count;
+    return count > 0 && spread > 1e-24 * squares ? spread / count : 0;
+  }
+};
+
 /// How far the formula is from linear interpolation at `fraction` of the way along the axis, relative to its
-/// spread there and at the particles; both root mean squares. 0 if it is linear.
+/// spread there (and at the particles, if it is constant there); both root mean squares. 0 if it is linear.
 template <int d>
 double interpolation_error(const Expression& formula, const Cloud<d>& cloud, int axis, double fraction) {
   constexpr Index most_samples = 2000;  // enough for a mean; formulas are interpreted
   const Index every = std::max<Index>(1, cloud.size() / most_samples);
-  double step = cloud.spacing, error = 0, sum = 0, squares = 0, count = 0;
+  double step = cloud.spacing, error = 0;
   if (cloud.line > 0 && cloud.count[axis] > 1) step = cloud.X[cloud.stride[axis]][axis] - cloud.X[0][axis];
+  Sample middle, all;
   for (Index i = 0; i < cloud.size(); i += every) {
     Vec<d> next = cloud.X[i], between = cloud.X[i];
     next[axis] += step;
@@ -49,13 +65,12 @@ double interpolation_error(const Expression& formula, const Cloud<d>& cloud, int
     if (!a || !b || !m) continue;
     const double off = *m - ((1 - fraction) * *a + fraction * *b);
     error += off * off;
-    sum += *m + *a;
-    squares += *m * *m + *a * *a;
-    count += 1;
+    middle.add(*m);
+    all.add(*m);
+    all.add(*a);
   }
-  const double spread = (squares - sum * sum / (2 * count)) / 2;  // count times the variance
-  // a spread of rounding errors is a constant
-  return count > 0 && spread > 1e-24 * squares ? std::sqrt(error / spread) : 0;
+  const double spread = middle.variance() > 0 ? middle.variance() : all.variance();
+  return spread > 0 ? std::sqrt(error / middle.count / spread) : 0;
 }
 
 /// The same error of a wave exp(i theta X/d).

@@ -102,7 +102,7 @@ TEST(Warnings, JstAboveItsStepCap) {
   const auto fixed = [&](double share) {
     return scene_with({"method.integrator=rk3", "jst.eta4=0.5",
                        fmt::format("method.time_step={}", share * cap),
-                       "initial.velocity=['1e-6*sin(26*X)*sin(27*Y)', '0']", "scene.max_steps=600"});
+                       "initial.velocity=['1e-3*X*Y', '1e-3*X*Y*Y']", "scene.max_steps=600"});
   };
   EXPECT_TRUE(one(make_simulation<2>(fixed(1.03)).warnings, "what JST bears"));
   EXPECT_TRUE(make_simulation<2>(fixed(0.97)).warnings.empty());
