@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mms/mirrored.hpp"
 #include "plumbline/boundary/supports.hpp"
 
 namespace plumb::mms {
@@ -98,6 +99,7 @@ void add_face(const Solid<d>& solid, int face, const DriveOptions& options, Driv
   const bool upper = face % 2;
   const Cloud<d>& cloud = solid.cloud;
   const FaceCondition condition = drive.solution.domain.faces[static_cast<std::size_t>(face)];
+  if (options.layout == Layout::mirror && is_roller(condition)) return;  // images hold it
   Vec<d> normal = Vec<d>::Zero();
   normal[axis] = upper ? 1 : -1;
   for (const Index i : particles_on_face(cloud, axis, upper, options.layout)) {

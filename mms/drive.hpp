@@ -24,8 +24,8 @@ struct DriveOptions {
 /// components known on a face: their force becomes rho u_tt, and after each step of the returned stepper they
 /// have the exact u and u_t. Particles that belong to a face: those on it (node layout), or the first layer
 /// (cell layout), which then gets the values of the nearest point of the face, as a boundary condition there
-/// says. Traction t acts on a particle as t A/V, A its share of the face. Boxes only; the circles of an
-/// annulus are left free unless there is a held band.
+/// says. Rollers of a mirror layout prescribe nothing. Traction t acts on a particle as t A/V, A its share of
+/// the face. Boxes only; the circles of an annulus are left free unless there is a held band.
 template <int d>
 Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
                  const DriveOptions& options);

@@ -9,6 +9,7 @@
 
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
+#include "mms/mirrored.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -34,8 +35,15 @@ void check_domain(const Study& study, const Manufactured<d>& solution) {
   }
 }
 
-/// The scene of one level, without boundaries and initial state: those come from the solution.
-Scene scene_of(const Study& study, double spacing, double end) {
+/// Walls with images behind them; none unless the layout is mirror.
+template <int d>
+std::vector<Wall> walls_of(const Study& study, const Manufactured<d>& solution) {
+  return study.body.layout == Layout::mirror ? mirror_walls(solution) : std::vector<Wall>{};
+}
+
+/// The scene of one level, without initial state and with no boundaries but mirrors: the rest comes from the
+/// solution.
+Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacing, double end) {
   Scene scene;
   scene.name = study.name;
   scene.dimension = study.dimension();
@@ -45,12 +53,18 @@ Scene scene_of(const Study& study, double spacing, double end) {
   scene.method = study.method;
   scene.jst = study.jst;
   scene.hourglass = study.hourglass;
+  for (const Wall& wall : walls) {
+    Boundary boundary;
+    boundary.face = Face{wall.axis, wall.upper ? +1 : -1};
+    boundary.kind = BoundaryKind::roller;
+    scene.boundaries.push_back(boundary);
+  }
   return scene;
 }
 
 template <int d>
 Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  const Scene scene = scene_of(study, spacing, end_time(study));
+  const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
     if (domain.shape == Domain<d>::Shape::annulus) {
@@ -124,6 +138,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   if (result.failure)
     out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
   out.values = nodal_values(solid, simulation.state);
+  if (solid.bonds.mirror) out.walls = solid.bonds.mirror->walls;
   out.cloud = std::move(solid.cloud);
   return out;
 }
@@ -139,7 +154,7 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   level.nodal = nodal_norms<d>(run.cloud, run.values, exact);
   if (!wants_gauss(study)) return;
   const Interpolation<d> interpolation{kernel_named<d>(study.method.kernel), study.method.beta * level.d,
-                                       pair_named(study.method.pair)};
+                                       pair_named(study.method.pair), run.walls};
   level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
 }
 

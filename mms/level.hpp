@@ -29,6 +29,7 @@ struct LevelRun {
   StudyLevel level;
   Cloud<d> cloud;
   NodalValues<d> values;
+  std::vector<Wall> walls;  ///< with images behind them
 };
 
 /// A body that follows a manufactured solution, ready to run.

@@ -51,7 +51,10 @@ template <int d>
 class Interpolator {
  public:
   Interpolator(const Cloud<d>& cloud, const NodalValues<d>& values, const Interpolation<d>& how)
-      : cloud_(cloud), values_(values), how_(how), search_(cloud.X) {}
+      : cloud_(with_images(cloud, how)),
+        u_(displacements(cloud, values, how)),
+        how_(how),
+        search_(cloud_.X) {}
 
   PointValue<d> operator()(const Vec<d>& X) {
     search_.within(X, how_.kernel.support * how_.smoothing_length, found_);
@@ -60,7 +63,7 @@ class Interpolator {
     const CorrectedKernel<d> kernel = corrected(X);
     PointValue<d> value;
     for (std::size_t k = 0; k < found_.size(); ++k) {
-      const Vec<d>& u = values_[static_cast<std::size_t>(found_[k])].u;
+      const Vec<d>& u = u_[static_cast<std::size_t>(found_[k])];
       value.u += kernel.weight[k] * u;
       value.gradient += u * kernel.gradient[k].transpose();
     }
@@ -68,6 +71,20 @@ class Interpolator {
   }
 
  private:
+  static std::vector<Ghost<d>> images(const Cloud<d>& cloud, const Interpolation<d>& how) {
+    return ghosts_behind(cloud, how.walls, how.kernel.support * how.smoothing_length);
+  }
+  static Cloud<d> with_images(const Cloud<d>& cloud, const Interpolation<d>& how) {
+    return with_ghosts(cloud, images(cloud, how));
+  }
+  static std::vector<Vec<d>> displacements(const Cloud<d>& cloud, const NodalValues<d>& values,
+                                           const Interpolation<d>& how) {
+    std::vector<Vec<d>> u;
+    for (const auto& value : values) u.push_back(value.u);
+    for (const auto& ghost : images(cloud, how))
+      u.push_back(signs_of(ghost).cwiseProduct(values[static_cast<std::size_t>(ghost.real)].u));
+    return u;
+  }
   CorrectedKernel<d> corrected(const Vec<d>& X) const {
     try {
       return correct<d>(how_.pair, how_.kernel, how_.smoothing_length, neighbours_);
@@ -79,8 +96,8 @@ class Interpolator {
     }
   }
 
-  const Cloud<d>& cloud_;
-  const NodalValues<d>& values_;
+  Cloud<d> cloud_;
+  std::vector<Vec<d>> u_;
   const Interpolation<d>& how_;
   NeighbourSearch<d> search_;
   std::vector<Index> found_;

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include "plumbline/geometry/ghosts.hpp"
 #include "plumbline/gradient/correction.hpp"
 #include "plumbline/solid/solid.hpp"
 
@@ -47,6 +48,7 @@ struct Interpolation {
   RadialKernel<d> kernel;
   double smoothing_length;  ///< h [m]
   Pair pair;
+  std::vector<Wall> walls = {};  ///< with images behind them, which carry the mirrored displacement
 };
 
 /// The paper's norms: `tiles` equal tiles per axis over the cloud's box with `points` Gauss points each (5.1:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "plumbline/convergence/verdict.hpp"
@@ -13,12 +14,15 @@ Check number_check(std::string what, double measured, double expected, double to
                    const std::string& reason) {
   const double error = std::abs(measured - expected);
   const bool holds = error <= tolerance * std::abs(expected);
-  return {std::move(what), fmt::format("{:.12g} within {:.0e} ({})", expected, tolerance, reason),
-          fmt::format("{:.12g}, off by {:.1e}", measured, error / std::abs(expected)), pass_if(holds)};
+  const int digits =
+      std::clamp(3 - static_cast<int>(std::floor(std::log10(tolerance))), 3, 12);  // one to spare
+  return {std::move(what), fmt::format("{:.{}g} within {:.0e} ({})", expected, digits, tolerance, reason),
+          fmt::format("{:.{}g}, off by {:.1e}", measured, digits, error / std::abs(expected)),
+          pass_if(holds)};
 }
 
 Check bound_check(std::string what, double largest, double bound, const std::string& reason) {
-  return {std::move(what), fmt::format("at most {:.0e} ({})", bound, reason), number_text(largest, 2),
+  return {std::move(what), fmt::format("at most {:g} ({})", bound, reason), number_text(largest, 2),
           pass_if(largest <= bound)};
 }
 

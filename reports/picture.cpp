@@ -79,6 +79,20 @@ std::string data_csv(const Picture& picture) {
     for (std::size_t k = 0; k < map->x.size(); ++k)
       out += fmt::format("{},{},{}\n", cell(map->x[k]), cell(map->y[k]), cell(map->z[k]));
   }
+  if (const auto* map = std::get_if<Patches>(&picture.map)) {
+    out += "x1,y1,x2,y2,x3,y3,x4,y4,value\n";
+    for (std::size_t k = 0; k < map->z.size(); ++k) {
+      for (std::size_t c = 4 * k; c < 4 * k + 4; ++c)
+        out += fmt::format("{:.9g},{:.9g},", map->x[c], map->y[c]);
+      out += cell(map->z[k]) + "\n";
+    }
+  }
+  if (const auto* rows = std::get_if<Intervals>(&picture.map)) {
+    out += "name,low,value,high,expected\n";
+    for (std::size_t k = 0; k < rows->names.size(); ++k)
+      out += fmt::format("{},{},{},{},{}\n", csv_text(rows->names[k]), cell(rows->low[k]),
+                         cell(rows->value[k]), cell(rows->high[k]), cell(rows->expected[k]));
+  }
   if (picture.series.empty()) return out;
   if (!out.empty()) out += "\n";
   out += "series,x,y,low,high\n";

@@ -81,6 +81,30 @@ struct PointMap {
   std::string unit = {};
 };
 
+/// Rows with a name, a value and its interval low <= value <= high, the first one on top; `expected[k]`, if
+/// it is finite, is marked. The y axis shows the names.
+struct Intervals {
+  std::vector<std::string> names;
+  std::vector<double> low, value, high, expected;
+};
+
+/// A labelled line of known length, which shows direction and scale where axes would say nothing.
+struct Rod {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  std::string label = {};
+};
+
+/// The surface of a body as quadrilaterals with corners (x[4k..4k+3], y[4k..4k+3]), later ones over earlier
+/// ones, coloured by z[k] on a scale from `low` to `high` (from the data if not given). Rods replace the
+/// axes.
+struct Patches {
+  std::vector<double> x, y, z;
+  std::string label;
+  std::string unit = {};
+  std::optional<double> low = {}, high = {};
+  std::vector<Rod> rods = {};
+};
+
 /// The whole picture. Sizes are in pixels; the default is readable on a telephone and two fit side by side on
 /// a desk.
 struct Picture {
@@ -90,7 +114,7 @@ struct Picture {
   Labels labels = Labels::ends;
   std::vector<SlopeTriangle> triangles = {};
   std::vector<ReferenceLine> lines = {};
-  std::variant<std::monostate, HeatMap, CategoryMap, PointMap> map = {};
+  std::variant<std::monostate, HeatMap, CategoryMap, PointMap, Intervals, Patches> map = {};
   bool equal_axes = false;  ///< one unit of x as long as one of y (outlines of bodies)
   int width = 560, height = 380;
 };
@@ -115,8 +139,8 @@ std::vector<Dropped> save(const Picture& picture, const std::filesystem::path& f
 /// @throws InputError as save().
 std::string svg(const Picture& picture, const std::string& prefix = "plumb");
 
-/// The lists of numbers behind the picture as CSV: series,x,y,low,high, or x,y,value of a map (17 significant
-/// digits).
+/// The lists of numbers behind the picture as CSV: series,x,y,low,high, x,y,value of a map, or
+/// name,low,value,high,expected of intervals (17 significant digits).
 std::string data_csv(const Picture& picture);
 
 }  // namespace plumb::reports

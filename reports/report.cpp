@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "plumbline/core/error.hpp"
@@ -43,7 +44,8 @@ std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
 
 Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& options,
                  ReportSummary& summary) {
-  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads);
+  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads,
+                         options.code);
   std::size_t total = 0;
   for (const auto& plan : plans) total += plan.jobs.size();
   Results results;
@@ -65,14 +67,19 @@ Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& opt
 
 /// The section, or what is to be said in its place.
 PageSection written(const SectionPlan& plan, const Results& results, ReportSummary& summary) {
-  PageSection out{plan.id, plan.title, {}, {}};
+  PageSection out{plan.id, plan.title, {}, {}, chapter_of(plan.place)};
   for (const auto& job : plan.jobs) out.jobs.emplace_back(job.id, results.job(job.id));
+  const auto give_up = [&](const std::exception& why) {
+    out.section.answer = fmt::format("No answer: {}.", why.what());
+    out.section.checks = {{plan.title, "a result", why.what(), "not-computed"}};
+    summary.problems.push_back(fmt::format("{}: {}", plan.id, why.what()));
+  };
   try {
     out.section = plan.write(results);
   } catch (const MissingResult& missing) {
-    out.section.answer = fmt::format("No answer: {}.", missing.what());
-    out.section.checks = {{plan.title, "a result", missing.what(), "not-computed"}};
-    summary.problems.push_back(fmt::format("{}: {}", plan.id, missing.what()));
+    give_up(missing);
+  } catch (const nlohmann::json::exception& unexpected) {  // a result of another form than the section knows
+    give_up(unexpected);
   }
   return out;
 }
@@ -96,16 +103,35 @@ Table csv_of(const DataTable& table) {
   return csv;
 }
 
-void write_data(const Section& section, const fs::path& out) {
-  for (const auto& figure : section.figures) {
-    replace_file(out / "data" / (figure.id + ".csv"), data_csv(figure.picture));
-    save(figure.picture, out / "figures" / (figure.id + ".svg"));
+/// Writes the data of every figure and table, and the figures, which are kept for the page.
+void write_data(PageSection& section, const fs::path& out) {
+  for (const auto& figure : section.section.figures) {
+    std::string data;
+    for (const auto& frame : figure.frames) data += "# " + frame.label + "\n" + data_csv(frame.picture);
+    replace_file(out / "data" / (figure.id + ".csv"), data.empty() ? data_csv(figure.picture) : data);
+    section.drawn[figure.id] = svg(figure.picture, figure.id);
+    replace_file(out / "figures" / (figure.id + ".svg"), section.drawn[figure.id]);
   }
-  for (const auto& table : section.tables)
-    replace_file(out / "data" / (table.id + ".csv"), csv_text(csv_of(table)));
+  for (const auto& table : section.section.tables)
+    replace_file(out / "data" / ("table-" + table.id + ".csv"), csv_text(csv_of(table)));
 }
 
 }  // namespace
+
+std::string chapter_of(int place) {
+  static const std::vector<std::string> names{"One dimension",
+                                              "Operators",
+                                              "Manufactured solutions",
+                                              "Error against run time",
+                                              "The paper's cases",
+                                              "Conservation",
+                                              "Stability and spectra",
+                                              "Claims and planted faults",
+                                              "Speed",
+                                              "Bad input"};
+  const int chapter = place / 100 - 1;
+  return chapter >= 0 && chapter < static_cast<int>(names.size()) ? names[chapter] : "Further";
+}
 
 std::vector<SectionPlan> section_plans(bool long_run) {
   auto plans = sections::all(long_run);
@@ -128,11 +154,13 @@ ReportSummary make_report(const ReportOptions& options) {
             {}};
   for (const auto& plan : plans) {
     page.sections.push_back(written(plan, results, summary));
-    write_data(page.sections.back().section, options.out);
+    write_data(page.sections.back(), options.out);
   }
   page.facts.emplace_back("machine", run::machine());
-  page.facts.emplace_back("cost of the studies", fmt::format("{} of CPU time in {} runs",
-                                                             duration_text(summary.cpu_s), summary.jobs));
+  page.facts.emplace_back(
+      "cost of the studies",
+      fmt::format("{} of CPU time in {} runs; {} of them were stored, from the same code and files",
+                  duration_text(summary.cpu_s), summary.jobs, summary.reused));
   summary.verdicts = count_verdicts(page.sections);
   replace_file(summary.page, html(page));
   return summary;

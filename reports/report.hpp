@@ -11,13 +11,14 @@ namespace plumb::reports {
 
 /// What `plumb report` needs to know.
 struct ReportOptions {
-  std::filesystem::path out = "reports/out";               ///< folder of the report
-  std::filesystem::path program;                           ///< the plumb executable that runs the studies
-  std::filesystem::path root = ".";                        ///< the folder with verification/scenes in it
-  bool long_run = false;                                   ///< the paper-size studies too
-  int threads = 0;                                         ///< for each study; 0: as many as there are
-  std::vector<std::string> only;                           ///< ids of sections; empty: all
-  std::vector<std::pair<std::string, std::string>> facts;  ///< shown on the first screen, before the cost
+  std::filesystem::path out = "reports/out";  ///< folder of the report
+  std::filesystem::path program;              ///< the plumb executable that runs the studies
+  std::string code = {};             ///< hash of the code that computes; empty: the bytes of the program
+  std::filesystem::path root = ".";  ///< the folder with verification/scenes in it
+  bool long_run = false;             ///< the paper-size studies too
+  int threads = 0;                   ///< for each study; 0: as many as there are
+  std::vector<std::string> only;     ///< ids of sections; empty: all
+  std::vector<std::pair<std::string, std::string>> facts;         ///< on the first screen, before the cost
   std::function<void(double, const std::string&)> progress = {};  ///< fraction done, what is being done
 };
 

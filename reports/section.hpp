@@ -17,6 +17,7 @@ struct Check {
   std::string expected;
   std::string measured;
   std::string verdict;
+  std::string job = {};  ///< where the number comes from, if it is one job
 };
 
 /// The verdicts in the order of the first screen.
@@ -36,19 +37,33 @@ struct Column {
 using Entry = std::variant<std::monostate, std::string, double>;
 
 struct DataTable {
-  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::string id;  ///< letters, digits and hyphens; unique among the tables of the report
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<Entry>> rows;
-  std::vector<std::string> jobs = {};     ///< where the numbers come from
-  std::vector<std::string> figures = {};  ///< for each row the id of its picture, or nothing at all
+  std::vector<std::string> jobs = {};      ///< where the numbers come from
+  std::vector<std::string> figures = {};   ///< for each row the id of its picture; nothing: found by its job
+  std::vector<std::string> row_jobs = {};  ///< for each row its job; nothing: `jobs`, if one is for each row
+                                           ///< or for all
+};
+
+/// One picture of an animation.
+struct Frame {
+  std::string label;  ///< for instance its time
+  Picture picture;
 };
 
 struct Figure {
-  std::string id;  ///< letters, digits and hyphens; unique in the report
+  std::string id;  ///< letters, digits and hyphens; unique among the figures of the report
   Picture picture;
   std::string caption;
   std::vector<std::string> jobs = {};  ///< where the numbers come from
+  std::vector<Frame> frames = {};      ///< shown in place of `picture`, one after the other
+};
+
+/// One fact for the first screen: "94 of 94", "planted faults turned a test red".
+struct Headline {
+  std::string number, what;
 };
 
 /// One section of the report. `answer` is one sentence that the data of this very report support.
@@ -59,6 +74,7 @@ struct Section {
   std::vector<Figure> figures = {};
   std::vector<DataTable> tables = {};
   std::vector<std::string> notes = {};
+  std::vector<Headline> headlines = {};
 };
 
 /// One call of `plumb` whose JSON a section needs. The call is made once and kept by content hash.
@@ -71,10 +87,14 @@ struct Job {
 
 class Results;
 
+/// The chapter of a place: 1xx "One dimension", 2xx "Operators in 2D and 3D", .. (reports/README.md lists
+/// them).
+std::string chapter_of(int place);
+
 /// How a section comes about. A file reports/sections/some_name.cpp defines `SectionPlan some_name(bool
 /// long_run)` in namespace plumb::reports::sections; the list of them is generated.
 struct SectionPlan {
-  int place = 0;   ///< sections are ordered by it
+  int place = 0;   ///< sections are ordered by it; its hundreds are the chapter (chapter_of)
   std::string id;  ///< letters, digits and hyphens; unique in the report
   std::string title;
   std::vector<Job> jobs;

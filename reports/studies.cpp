@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "reports/results.hpp"
 
@@ -51,8 +54,11 @@ Check study_check(std::string what, const Json& result, const std::string& norm)
   const Json& fit = fit_of(result, norm);
   const Entry declared = cell(fit, "declared");
   Check check{std::move(what), "no order declared", {}, text(fit, "verdict")};
-  check.measured = fmt::format("{}, 95 % interval [{}, {}]{}", short_number(cell(fit, "order")),
-                               short_number(end_of(fit, 0)), short_number(end_of(fit, 1)), failures(result));
+  const bool fitted = std::holds_alternative<double>(cell(fit, "order"));
+  check.measured =
+      !fitted ? "no order can be fitted" + failures(result)
+              : fmt::format("{}, 95 % interval [{}, {}]{}", short_number(cell(fit, "order")),
+                            short_number(end_of(fit, 0)), short_number(end_of(fit, 1)), failures(result));
   if (const auto* order = std::get_if<double>(&declared)) check.expected = fmt::format("order {:g}", *order);
   const auto& known = verdict_names();
   if (std::find(known.begin(), known.end(), check.verdict) == known.end()) {
@@ -82,6 +88,7 @@ void add_fits(DataTable& table, const std::string& name, const std::string& job,
     table.rows.push_back({name, text(fit, "norm"), cell(fit, "order"), end_of(fit, 0), end_of(fit, 1),
                           cell(fit, "declared"), text(fit, "verdict")});
     table.figures.push_back(figure);
+    table.row_jobs.push_back(job);
   }
   table.jobs.push_back(job);
 }
@@ -111,8 +118,68 @@ void add_levels(DataTable& table, const std::string& name, const std::string& jo
          {"d", "n", "steps", "l2", "h1", "linf", "l2_gauss", "h1_gauss", "cpu_s", "pair_evaluations"})
       row.push_back(cell(level, key));
     table.rows.push_back(std::move(row));
+    table.row_jobs.push_back(job);
   }
   table.jobs.push_back(job);
+}
+
+Figure orders_figure(std::string id, std::string title, const DataTable& fits, const std::string& norm) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto value = [](const Entry& entry) {
+    const auto* found = std::get_if<double>(&entry);
+    return found ? *found : nan;
+  };
+  Intervals rows;
+  for (const auto& row : fits.rows) {
+    if (std::get<std::string>(row[1]) != norm) continue;
+    rows.names.push_back(std::get<std::string>(row[0]));
+    rows.value.push_back(value(row[2]));
+    rows.low.push_back(value(row[3]));
+    rows.high.push_back(value(row[4]));
+    rows.expected.push_back(value(row[5]));
+  }
+  if (rows.names.empty()) throw MissingResult("no fits of " + norm);
+  double least = 0, most = 2.5;
+  for (const auto* values : {&rows.low, &rows.high, &rows.value})
+    for (const double v : *values)
+      if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
+  Picture picture{std::move(title), {"order of the error in " + norm, "", Scale::linear}, {"", ""}};
+  picture.x.min = std::max(least - 0.1, -1.0);
+  picture.x.max = std::min(most + 0.1, 5.0);
+  picture.height = 110 + 20 * static_cast<int>(rows.names.size());
+  picture.map = std::move(rows);
+  return {std::move(id), std::move(picture),
+          "Fitted orders with their 95 % intervals; the grey stroke is the declared order. A triangle: the "
+          "interval "
+          "does not hold it.",
+          fits.jobs};
+}
+
+void add_interval(Series& series, const Json& result, const std::string& norm) {
+  const Json& fit = fit_of(result, norm);
+  const Entry low = end_of(fit, 0), high = end_of(fit, 1);
+  if (!std::holds_alternative<double>(low) || !std::holds_alternative<double>(high)) return;
+  const double from = std::get<double>(low), to = std::get<double>(high);
+  const auto levels = std::min(series.x.size(), fit.at("levels").get<std::size_t>());
+  if (!(to - from <= 2) || levels < 3) return;
+  std::vector<std::size_t> order(series.x.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return series.x[a] > series.x[b]; });
+  double x = 0, y = 0;
+  for (std::size_t k = 0; k < levels; ++k) {
+    x += std::log(series.x[order[k]]) / static_cast<double>(levels);
+    y += std::log(series.y[order[k]]) / static_cast<double>(levels);
+  }
+  if (!std::isfinite(y)) return;
+  Band band{series.y, series.y};
+  for (std::size_t k = 0; k < levels; ++k) {
+    const std::size_t at = order[k];
+    const double one = std::exp(y + from * (std::log(series.x[at]) - x)),
+                 other = std::exp(y + to * (std::log(series.x[at]) - x));
+    band.low[at] = std::min(one, other);
+    band.high[at] = std::max(one, other);
+  }
+  series.band = band;
 }
 
 }  // namespace plumb::reports

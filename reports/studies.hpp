@@ -22,4 +22,12 @@ DataTable levels_table(std::string id, std::string title, std::vector<std::strin
 void add_levels(DataTable& table, const std::string& name, const std::string& job,
                 const nlohmann::ordered_json& result);
 
+/// The orders of one norm with their intervals and the declared ones, from a table of fits. Orders are cut
+/// off at -1 and 5 in the picture, not in its data.
+Figure orders_figure(std::string id, std::string title, const DataTable& fits, const std::string& norm);
+
+/// The interval of the fitted order as a band: all power laws with an order in it, through the middle of the
+/// levels that were fitted. Nothing is added where the interval says nothing (wider than 2, or not known).
+void add_interval(Series& series, const nlohmann::ordered_json& result, const std::string& norm);
+
 }  // namespace plumb::reports

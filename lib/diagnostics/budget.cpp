@@ -27,7 +27,9 @@ template <int d, int W>
 double stress_power(const Solid<d>& solid, const Block& block, const State<d>& state) {
   Pack<W> sum(0);
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
-    const Mat<d, Pack<W>> F = deformation_gradient<d, W>(solid.bonds, state.v, pack);
+    Mat<d, Pack<W>> F = deformation_gradient<d, W>(solid.bonds, state.v, pack);
+    if (solid.bonds.mirror)
+      add_image_gradient<d, W>(*solid.bonds.mirror, solid.bonds.row[pack], state.v, pack, F);
     const double* identity = solid.bonds.identity.data() + solid.bonds.row[pack] * Index{d * d * W};
     Pack<W> power(0);
     for (int n = 0; n < d * d; ++n)
@@ -69,8 +71,9 @@ const BudgetPart& BudgetSums::part(const std::string& name) const {
 template <int d>
 struct Budget<d>::Account {
   std::vector<double> weights;
-  bool carries;                  ///< the last evaluation of a step is the first of the next (Verlet)
-  std::vector<char> has_energy;  ///< per force: it belongs to a potential energy
+  bool carries;                   ///< the last evaluation of a step is the first of the next (Verlet)
+  std::vector<char> has_energy;   ///< per force: it belongs to a potential energy
+  std::size_t last_internal = 0;  ///< the force after which all of the internal force is there
   /// Per force, the sum of it and of those before it, times the weights [N/m^d]: of this step so far, and of
   /// its last evaluation.
   std::vector<Field> impulse, last;
@@ -119,7 +122,7 @@ Term<d> probe(const std::shared_ptr<Account>& account, std::size_t part) {
   term.second = [account, part](const Solid<d>& solid, const Block& block, const State<d>& state, double,
                                 BlockForce<d>& force) {
     account->add_force(part, block, force);
-    if (part == 0) account->add_defect(block, force_power(solid, block, state, force));
+    if (part == account->last_internal) account->add_defect(block, force_power(solid, block, state, force));
   };
   return term;
 }
@@ -147,7 +150,8 @@ Budget<d>::Budget(Solid<d>& solid, const State<d>& state, const std::vector<doub
   add_probe("internal force", true);
   for (auto& term : solid.terms) {
     const std::string name = term.name;
-    const bool energy = static_cast<bool>(term.energy);
+    const bool energy = term.energy || term.internal;
+    if (term.internal) account_->last_internal = step_.parts.size();
     terms.push_back(std::move(term));
     add_probe(name, energy);
   }

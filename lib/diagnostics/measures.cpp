@@ -81,6 +81,13 @@ Mat<d> deformation_gradient_of(const Solid<d>& solid, const State<d>& state, Ind
     for (int a = 0; a < d; ++a)
       for (int b = 0; b < d; ++b)
         F(a, b) += (state.u[a][i + t.offset[n]] - state.u[a][i]) * t.stencil[(n * d + b) * W + lane];
+  if (!t.mirror) return F;
+  const MirrorBonds<d>& m = *t.mirror;
+  for (std::int64_t n = m.begin[row]; n < m.begin[row + 1]; ++n)
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b)
+        F(a, b) +=
+            (m.signs[n][a] * state.u[a][i + m.offset[n]] - state.u[a][i]) * m.stencil[(n * d + b) * W + lane];
   return F;
 }
 

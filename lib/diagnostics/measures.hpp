@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// (47a-c) of paper 000 [J] (per metre of thickness in 2D).
+/// THEORY (8.1), (47a-c) of paper 000 [J] (per metre of thickness in 2D).
 struct Energy {
   double kinetic = 0;
   double strain = 0;
@@ -13,7 +13,7 @@ struct Energy {
   double total() const { return kinetic + strain + terms; }
 };
 
-/// Three components also in 2D, where p_z = 0 and only L_z is not zero. Angular momentum about the origin.
+/// THEORY (8.2), (8.3). Three components also in 2D: p_z = 0, only L_z not zero. Angular: about the origin.
 struct Momentum {
   std::array<double, 3> linear{};   ///< [kg m/s]
   std::array<double, 3> angular{};  ///< [kg m^2/s]

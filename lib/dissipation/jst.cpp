@@ -27,6 +27,23 @@ void laplacian_of(const BondTable<d>& bonds, const AlignedVector& weights, const
   }
 }
 
+/// The same sum over images, sum_j w_ij (R q_j - q_i), where a pack has any.
+template <int d, int W, class Add>
+void images_laplacian_of(const BondTable<d>& bonds, bool outer, const Field& q, const Block& block,
+                         Add&& add) {
+  using Real = Pack<W>;
+  const MirrorBonds<d>& images = *bonds.mirror;
+  const AlignedVector& weights = outer ? images.outer_laplacian : images.laplacian;
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Index i = pack * W, row = bonds.row[pack];
+    for (std::int64_t n = images.begin[row]; n < images.begin[row + 1]; ++n)
+      for (int k = 0; k < d; ++k)
+        add(k, i,
+            Real::load(weights.data() + n * W) *
+                (Real(images.signs[n][k]) * Real::load(q[k] + i + images.offset[n]) - Real::load(q[k] + i)));
+  }
+}
+
 template <int d, class F>
 void with_width(const BondTable<d>& bonds, F&& f) {
   if (bonds.width == 1)
@@ -42,6 +59,10 @@ void store_laplacian(const BondTable<d>& bonds, bool outer, const Field& q, cons
   with_width(bonds, [&]<int W>(std::integral_constant<int, W>) {
     laplacian_of<d, W>(bonds, outer ? bonds.outer_laplacian : bonds.laplacian, outer ? bonds.own_outer : none,
                        q, block, [&](int k, Index i, Pack<W> sum) { sum.store(to[k] + i); });
+    if (bonds.mirror)
+      images_laplacian_of<d, W>(bonds, outer, q, block, [&](int k, Index i, Pack<W> part) {
+        (Pack<W>::load(to[k] + i) + part).store(to[k] + i);
+      });
   });
 }
 
@@ -50,10 +71,11 @@ template <int d>
 void add_outer_laplacian(const BondTable<d>& bonds, const Field& q, const Block& block, double factor,
                          BlockForce<d>& force) {
   with_width(bonds, [&]<int W>(std::integral_constant<int, W>) {
-    laplacian_of<d, W>(bonds, bonds.outer_laplacian, bonds.own_outer, q, block,
-                       [&](int k, Index i, Pack<W> sum) {
-                         (Pack<W>::load(force.at(k, i)) + Pack<W>(factor) * sum).store(force.at(k, i));
-                       });
+    const auto add = [&](int k, Index i, Pack<W> sum) {
+      (Pack<W>::load(force.at(k, i)) + Pack<W>(factor) * sum).store(force.at(k, i));
+    };
+    laplacian_of<d, W>(bonds, bonds.outer_laplacian, bonds.own_outer, q, block, add);
+    if (bonds.mirror) images_laplacian_of<d, W>(bonds, true, q, block, add);
   });
 }
 

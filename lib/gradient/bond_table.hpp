@@ -1,12 +1,14 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "plumbline/core/field.hpp"
 #include "plumbline/geometry/neighbours.hpp"
 #include "plumbline/gradient/estimator.hpp"
+#include "plumbline/gradient/mirror_bonds.hpp"
 #include "plumbline/momentum/momentum_form.hpp"
 
 namespace plumb {
@@ -32,6 +34,7 @@ struct BondOptions {
   bool laplacian = false;        ///< weights of the corrected Laplacian (27), (28) for JST
   double laplacian_factor = 2;   ///< phi = -factor W'/r; 2 is the consistent one, 1 probably the paper's
   bool outer_transpose = false;  ///< outer level L^T V L instead of the symmetrised (28)
+  std::vector<Wall> walls;       ///< faces behind which the particles have mirror images; not with `project`
   /// Changes the stencils (and, if it must, the volumes) of all particles together, once: the seam for tables
   /// that are projected onto global constraints. Empty: every particle's stencil comes from its own
   /// neighbourhood.
@@ -58,12 +61,13 @@ struct BondTable {
   AlignedVector laplacian;  ///< per bond, width: V_j w_ij [1/m^2]; empty unless asked for
   AlignedVector outer_laplacian;  ///< per bond, width: V_j (w_ij + w_ji)/2 or V_j w_ji [1/m^2]; as above
   AlignedVector own_outer;        ///< per row, width: sum_j V_j (w_ji - w_ij) [1/m^2]; only for the transpose
-  std::int64_t pairs = 0;         ///< ordered pairs i != j of particles
+  std::optional<MirrorBonds<d>> mirror;  ///< bonds to images; none without walls
+  std::int64_t pairs = 0;  ///< ordered pairs i != j of particles, and those of a particle and an image
   std::int64_t most_neighbours = 0;
   Index margin = 0;  ///< largest |offset| plus one pack
 
   Index rows() const { return static_cast<Index>(begin.size()) - 1; }
-  std::size_t bytes() const;
+  std::size_t bytes() const;  ///< without `mirror`
 };
 
 /// Builds the table; the cloud's volumes change only by options.project. Throws InputError naming the

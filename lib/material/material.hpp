@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Isotropic elastic constants of the small-strain limit and the reference density.
+/// Isotropic elastic constants of the small-strain limit, THEORY (4.1), and the reference density.
 struct Elastic {
   double young;    ///< E [Pa]
   double poisson;  ///< nu, dimensionless

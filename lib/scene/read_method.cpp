@@ -91,6 +91,23 @@ std::optional<Hourglass> read_hourglass(const Section& root) {
   return hourglass;
 }
 
+bool read_projection(const Section& root) {
+  const auto section = root.optional_section("projection");
+  if (section) section->reject_unknown();
+  return section.has_value();
+}
+
+void refuse_beside_mirror(const Section& root, Layout layout, const Method& method) {
+  if (layout != Layout::mirror) return;
+  const auto refuse = [&](const char* section, const char* key, const char* why) {
+    root.section(section).fail(key, "contradicts layout = \"mirror\"", why, "use layout = \"node\"");
+  };
+  if (method.gradient == "compatible")
+    refuse("method", "gradient", "compatible area vectors end at the surface, where particles must lie");
+  if (root.has("hourglass")) refuse("hourglass", "", "the hourglass energy has no bonds to images");
+  if (root.has("projection")) refuse("projection", "", "images exert a torque that is not to be taken away");
+}
+
 const Alternatives& scene_alternatives() {
   static const Alternatives alternatives{{"body.spacing", "body.particles"},
                                          {"method.cfl", "method.time_step"},

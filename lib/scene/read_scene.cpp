@@ -38,8 +38,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name : {"scene", "body", "material", "method", "compatible", "jst", "hourglass", "initial",
-                           "boundary", "output"})
+  for (const char* name : {"scene", "body", "material", "method", "compatible", "jst", "hourglass",
+                           "projection", "initial", "boundary", "output"})
     root.has(name);
   root.reject_unknown();
   Scene scene;
@@ -62,10 +62,12 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.method = read_method(root);
   scene.jst = read_jst(root);
   scene.hourglass = read_hourglass(root);
+  scene.projection = read_projection(root);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.output = read_output(root, scene.body);
   refuse_endless_output(root, scene);
+  refuse_beside_mirror(root, scene.body.layout, scene.method);
   refuse_pointless_mirror(root, scene);
   return scene;
 }

@@ -14,9 +14,14 @@ MaterialChoice read_material(const Section& section);
 Method read_method(const Section& root);
 std::optional<Jst> read_jst(const Section& root);
 std::optional<Hourglass> read_hourglass(const Section& root);
+/// True if there is a section [projection].
+bool read_projection(const Section& root);
 std::optional<Initial> read_initial(const Section& root, int dimension);
 std::vector<Boundary> read_boundaries(const Section& root, int dimension);
 std::optional<Output> read_output(const Section& root, const Body& body);
+
+/// Refuses beside layout = "mirror" what knows nothing of images.
+void refuse_beside_mirror(const Section& root, Layout layout, const Method& method);
 
 /// Pairs of keys of which an override of one replaces the other.
 const Alternatives& scene_alternatives();

@@ -134,6 +134,7 @@ struct Scene {
   Method method;
   std::optional<Jst> jst;
   std::optional<Hourglass> hourglass;
+  bool projection = false;  ///< [projection], which has no keys: forces without torque (paper 003, (64)-(67))
   std::optional<Initial> initial;  ///< absent: at rest
   std::vector<Boundary> boundaries;
   std::optional<Output> output;  ///< absent: the summary only

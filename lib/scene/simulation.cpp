@@ -8,6 +8,7 @@
 #include "plumbline/compatible/compatible.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
+#include "plumbline/projection/angular_momentum.hpp"
 #include "plumbline/scene/warnings.hpp"
 
 namespace plumb {
@@ -50,6 +51,7 @@ std::vector<Support<d>> make_supports(const Cloud<d>& cloud, const Scene& scene)
   for (const auto& boundary : scene.boundaries)
     for (const Index i : supported_particles<d>(cloud, boundary, scene.body.layout)) {
       if (boundary.kind == BoundaryKind::roller) {
+        if (scene.body.layout == Layout::mirror) continue;  // images hold it
         supports.push_back({i, boundary.face->axis, 0});
         continue;
       }
@@ -116,6 +118,16 @@ void set_initial_velocity(const Solid<d>& solid, const Scene& scene, State<d>& s
   }
 }
 
+/// Roller faces of a mirror layout.
+std::vector<Wall> walls_of(const Scene& scene) {
+  std::vector<Wall> walls;
+  if (scene.body.layout != Layout::mirror) return walls;
+  for (const auto& boundary : scene.boundaries)
+    if (boundary.kind == BoundaryKind::roller)
+      walls.push_back({boundary.face->axis, boundary.face->side > 0});
+  return walls;
+}
+
 StepControl step_control(const Scene& scene) {
   StepControl control;
   if (scene.method.cfl) control.cfl = *scene.method.cfl;
@@ -163,9 +175,6 @@ Cloud<d> make_cloud(const Body& body) {
     box.origin[k] = body.origin.empty() ? 0.0 : body.origin[k];
     box.size[k] = body.size[k];
   }
-  if (body.layout == Layout::mirror)
-    throw InputError("layout = \"mirror\" is not available", "reflected ghosts are not built yet",
-                     "use node or cell");
   Cloud<d> cloud = lattice<d>(box, cells_of<d>(box, *body.spacing), body.layout);
   return body.jitter > 0 ? jittered<d>(std::move(cloud), body.jitter, body.seed, body.layout) : cloud;
 }
@@ -179,6 +188,7 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   const bool compatible = scene.method.gradient == "compatible";
   options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
   options.momentum = momentum_form_named<d>(scene.method.momentum);
+  options.walls = walls_of(scene);
   if (scene.jst) {
     options.laplacian = true;
     options.laplacian_factor = scene.jst->laplacian_factor;
@@ -210,6 +220,7 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::opt
   if (scene.jst) add_jst(simulation, scene);
   if (scene.hourglass && scene.hourglass->alpha > 0)
     add_term(simulation.solid, hourglass_term(simulation.solid, options.kernel, scene.hourglass->alpha));
+  if (scene.projection) add_term(simulation.solid, angular_momentum_projection(simulation.solid));
   refuse_contradictions<d>(simulation.solid.cloud, simulation.supports);
   const double step = time_step(simulation.solid, simulation.state, simulation.control);
   require_progress(step, scene);

@@ -80,6 +80,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   study.method = read_method(root);
   study.jst = read_jst(root);
   study.hourglass = read_hourglass(root);
+  refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);
   return study;
 }

@@ -39,7 +39,7 @@ template <int d, int W, int m>
 inline void sum_sources(const LatticeTable<d>& table, const Field& P, Index pack, Index pack_in_block,
                         ShiftedSums<d, W, m>& sums) {
   using Real = Pack<W>;
-  const auto& row = table.source_rows[table.force_row[pack]];
+  const auto& row = table.source_rows[table.force_row[pack + 1]];
   const auto* source = table.sources.data() + row.source;
   const double* weights = table.source_weight.data() + row.weight;
   Real part[2 * m + 1][d];  // E_0 .. E_m, O_1 .. O_m
@@ -65,16 +65,8 @@ void force_with_shifts(const LatticeTable<d>& table, const Field& P, const Block
                        BlockForce<d>& force) {
   using Real = Pack<W>;
   ShiftedSums<d, W, m> sums;
-  const auto packs = static_cast<Index>(table.force_row.size());
-  for (Index p = block.first_pack - 1; p <= block.end_pack; ++p) {
-    const Index in_block = p - block.first_pack;
-    if (p >= 0 && p < packs) {
-      sum_sources<d, W, m>(table, P, p, in_block, sums);
-      continue;
-    }
-    for (int shift = -m; shift <= m; ++shift)
-      for (int a = 0; a < d; ++a) Real(0).store(sums.at(shift, a, in_block));
-  }
+  for (Index p = block.first_pack - 1; p <= block.end_pack; ++p)
+    sum_sources<d, W, m>(table, P, p, p - block.first_pack, sums);
   for (Index p = block.first_pack; p < block.end_pack; ++p)
     for (int a = 0; a < d; ++a) {
       Real f(0);

@@ -76,10 +76,10 @@ SourceMap sources_of(const BondTable<d>& bonds, Index p, int most_shift) {
     if (weight == 0) return;
     const std::int32_t shift = shift_of(offset, W);
     const Index place = target + shift;
-    if (place / W != p) return;
+    if ((place + W) / W - 1 != p) return;  // rounded down: wide supports ask places before the first pack
     auto& weights = sources[{component, offset - shift}];
     weights.resize(2 * most_shift + 1, std::vector<double>(W, 0.0));
-    weights[most_shift + shift][place % W] += weight;
+    weights[most_shift + shift][place - p * W] += weight;
   };
   for (Index pack = std::max<Index>(0, p - 1); pack <= std::min<Index>(p + 1, bonds.slots.packs() - 1);
        ++pack) {
@@ -177,7 +177,7 @@ LatticeTable<d> make_lattice_table(const BondTable<d>& bonds) {
   for (const auto offset : bonds.offset)
     table.most_shift = std::max(table.most_shift, std::abs(shift_of(offset, bonds.width)));
   ValueNumbering kinds;
-  for (Index p = 0; p < bonds.slots.packs(); ++p) {
+  for (Index p = -1; p <= bonds.slots.packs(); ++p) {
     const auto row_at = [&](Index q) -> std::int64_t {
       return q < 0 || q >= bonds.slots.packs() ? -1 : bonds.row[q];
     };

@@ -38,7 +38,7 @@ struct LatticeTable {
     std::int32_t evens, odds, mixed;  ///< how many of each kind
   };
   int most_shift = 1;                   ///< m
-  std::vector<std::int32_t> force_row;  ///< per pack
+  std::vector<std::int32_t> force_row;  ///< per pack, from the one before the first to that behind the last
   std::vector<SourceRow> source_rows;
   std::vector<Source> sources;
   AlignedVector source_weight;  ///< packs of weights [1/m]

@@ -29,6 +29,19 @@ void for_each_bond(const BondTable<d>& t, const AlignedVector& table, Index slot
   }
 }
 
+/// The same for bonds to images: use(j, signs of the reflection, constants).
+template <int d, class Use>
+void for_each_image(const BondTable<d>& t, AlignedVector MirrorBonds<d>::*table, Index slot, Use&& use) {
+  if (!t.mirror) return;
+  const MirrorBonds<d>& m = *t.mirror;
+  const Index row = t.row[slot / t.width], lane = slot % t.width;
+  for (std::int64_t n = m.begin[row]; n < m.begin[row + 1]; ++n) {
+    Vec<d> c;
+    for (int k = 0; k < d; ++k) c[k] = (m.*table)[(n * d + k) * t.width + lane];
+    if (c.squaredNorm() > 0) use(slot + m.offset[n], m.signs[n], c);
+  }
+}
+
 template <int d>
 SparseMatrix built(Index rows, Index columns, const Triplets& entries) {
   SparseMatrix m(rows, columns);
@@ -42,15 +55,17 @@ SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& 
   Triplets entries;
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     Vec<d> sum = Vec<d>::Zero();
-    const auto put = [&](Index j, const Vec<d>& c) {
+    const auto put = [&](Index j, const Vec<d>& c, const Vec<d>& signs = Vec<d>::Ones()) {
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) entries.emplace_back(d * d * i + d * a + b, d * j + a, c[b]);
+        for (int b = 0; b < d; ++b) entries.emplace_back(d * d * i + d * a + b, d * j + a, signs[a] * c[b]);
+      sum += c;
     };
-    for_each_bond<d>(solid.bonds, solid.bonds.stencil, solid.bonds.slots.of(i),
-                     [&](Index slot, const Vec<d>& c) {
-                       put(particle[slot], c);
-                       sum += c;
-                     });
+    const Index own = solid.bonds.slots.of(i);
+    for_each_bond<d>(solid.bonds, solid.bonds.stencil, own,
+                     [&](Index slot, const Vec<d>& c) { put(particle[slot], c); });
+    for_each_image<d>(
+        solid.bonds, &MirrorBonds<d>::stencil, own,
+        [&](Index slot, const Vec<d>& signs, const Vec<d>& c) { put(particle[slot], c, signs); });
     put(i, -sum);
   }
   return built<d>(d * d * solid.cloud.size(), d * solid.cloud.size(), entries);
@@ -84,15 +99,21 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
   Triplets entries;
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     const Index slot = t.slots.of(i), row = t.row[slot / t.width], lane = slot % t.width;
-    const auto put = [&](Index j, const Vec<d>& weight) {
+    const auto put = [&](Index j, const Vec<d>& weight, const Vec<d>& signs = Vec<d>::Ones()) {
       for (int a = 0; a < d; ++a)
         for (int b = 0; b < d; ++b)
-          entries.emplace_back(d * i + a, d * d * j + d * a + b, -solid.cloud.V[i] * weight[b]);
+          entries.emplace_back(d * i + a, d * d * j + d * a + b,
+                               -solid.cloud.V[i] * signs[a] * signs[b] * weight[b]);
     };
     Vec<d> own;
     for (int k = 0; k < d; ++k) own[k] = t.own_force[(row * d + k) * t.width + lane];
+    if (t.mirror)
+      for (int k = 0; k < d; ++k) own[k] += t.mirror->own_force[(row * d + k) * t.width + lane];
     put(i, own);
     for_each_bond<d>(t, t.force, slot, [&](Index other, const Vec<d>& a) { put(particle[other], a); });
+    for_each_image<d>(
+        t, &MirrorBonds<d>::force, slot,
+        [&](Index other, const Vec<d>& signs, const Vec<d>& a) { put(particle[other], a, signs); });
   }
   return built<d>(d * solid.cloud.size(), d * d * solid.cloud.size(), entries);
 }

@@ -3,6 +3,7 @@
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/catalogue.hpp"
 #include "plumbline/solid/make_sweeps.hpp"
+#include "plumbline/solid/mirror.hpp"
 
 namespace plumb {
 
@@ -27,13 +28,14 @@ Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& el
   solid.P = solid.make_field(d * d);
   solid.volume.assign(solid.bonds.slots.count(), 0.0);
   for (Index i = 0; i < solid.cloud.size(); ++i) solid.volume[solid.bonds.slots.of(i)] = solid.cloud.V[i];
+  if (solid.bonds.mirror) add_term(solid, mirror_term(solid));
   return solid;
 }
 
 template <int d>
 void add_term(Solid<d>& solid, Term<d> term) {
   if (term.needs_F && solid.F.components() == 0) solid.F = solid.make_field(d * d);
-  if (term.needs_state && solid.stored_force.components() == 0) solid.stored_force = solid.make_field(d);
+  if ((term.needs_state || term.whole) && solid.stored_force.components() == 0) solid.stored_force = solid.make_field(d);
   solid.terms.push_back(std::move(term));
 }
 

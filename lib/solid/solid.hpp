@@ -23,6 +23,11 @@ struct StiffnessEntry {
   double value;
 };
 
+/// Displacement of the point at which the force on a slot acts in the change of sum m x (x-product) v over a
+/// step [m], THEORY (5.5). Empty: where the slot is.
+template <int d>
+using Arm = std::function<Vec<d>(Index slot)>;
+
 /// An optional part of the right-hand side (dissipation, body force, support, hourglass energy): made only if
 /// a scene names it. Called per block, never per particle. An empty function is not called.
 template <int d>
@@ -38,8 +43,12 @@ struct Term {
   /// Adds to the force per unit reference volume; may read the term's own arrays, and the state only if
   /// needs_state.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
+  /// Changes the forces of all slots at once, when they are known up to this term; at most one term has it.
+  /// Forces are stored, and terms behind it may not read the state of other slots.
+  std::function<void(const Solid<d>&, const State<d>&, const Arm<d>&, Field& force)> whole;
   bool needs_state = false;  ///< `second` reads the state of other slots: forces are stored before the update
   bool needs_F = false;      ///< the deformation gradient is stored
+  bool internal = false;     ///< its force belongs to the strain energy, with the internal force
   /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
   std::function<double(const Solid<d>&, const State<d>&)> energy;
   /// Adds -dforce/du x volume at the reference state (linearise.hpp); empty: the term has no stiffness.
@@ -138,29 +147,54 @@ bool find_stress(Solid<d>& solid, const State<d>& state, const Block& block, dou
   return sound;
 }
 
-/// Force of one block; update(block, force) gets it, or stored_force.
+/// Force of one block, up to a term that needs all of them; update(block, force) gets it, or stored_force.
 template <int d, class Update>
 void find_force(Solid<d>& solid, const State<d>& state, const Block& block, double time, Update&& update) {
   BlockForce<d> force(block);
   solid.sweeps.force(solid.bonds, solid.P, block, force);
-  for (const auto& term : solid.terms)
+  for (const auto& term : solid.terms) {
+    if (term.whole) break;
     if (term.second) term.second(solid, block, state, time, force);
+  }
   if (solid.stored_force.components() == 0) return update(block, force);
   for (int k = 0; k < d; ++k)
     std::copy_n(force.at(k, block.begin()), block.end() - block.begin(),
                 solid.stored_force[k] + block.begin());
 }
 
+/// The second half of an evaluation, if forces are stored: a term that needs all of them, those behind it,
+/// and the update.
+template <int d, class Update>
+void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, const Arm<d>& arm,
+                          Update&& update) {
+  auto rest = std::find_if(solid.terms.begin(), solid.terms.end(),
+                           [](const Term<d>& term) { return static_cast<bool>(term.whole); });
+  if (rest != solid.terms.end()) (rest++)->whole(solid, state, arm, solid.stored_force);
+  const Index blocks = solid.blocks();
+#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
+  for (Index b = 0; b < blocks; ++b) {
+    const Block block = solid.block(b);
+    BlockForce<d> stored(block);
+    for (int k = 0; k < d; ++k)
+      std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
+                  stored.at(k, block.begin()));
+    for (auto term = rest; term != solid.terms.end(); ++term)
+      if (term->second) term->second(solid, block, state, time, stored);
+    update(block, stored);
+  }
+}
+
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
 /// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
-/// J <= 0 or is not a number; some blocks have then been updated, and the integrator goes back.
+/// J <= 0 or is not a number; some blocks have then been updated, and the integrator goes back. `arm`: of an
+/// integrator that keeps angular momentum about other points than the positions of the evaluation.
 ///
 /// A block's force follows as soon as the stresses that it reads are known, while they are still in the
 /// cache: a thread goes through its share of the blocks once, the force `reach` blocks behind the stress.
 /// What reads beyond the share waits until all stresses are known. Every block gets the same numbers whatever
 /// the shares are.
 template <int d, class Update>
-bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
+bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update, const Arm<d>& arm = {}) {
   const Index blocks = solid.blocks();
   const Index reach = (solid.bonds.margin + block_slots - 1) / block_slots;
   const auto force = [&](Index b) { find_force(solid, state, solid.block(b), time, update); };
@@ -186,16 +220,7 @@ bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update) {
     solid.unsound = find_unsound(solid, state);
     return false;
   }
-  if (solid.stored_force.components() == 0) return true;
-#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
-  for (Index b = 0; b < blocks; ++b) {
-    const Block block = solid.block(b);
-    BlockForce<d> stored(block);
-    for (int k = 0; k < d; ++k)
-      std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
-                  stored.at(k, block.begin()));
-    update(block, stored);
-  }
+  if (solid.stored_force.components() > 0) finish_stored_forces(solid, state, time, arm, update);
   return true;
 }
 

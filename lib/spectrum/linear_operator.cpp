@@ -35,7 +35,7 @@ struct SmallStrain {
 template <int d>
 Sweeps<d> linear_sweeps(const Elastic& elastic, const BondTable<d>& all) {
   const SmallStrain material(elastic);
-  Sweeps<d> sweeps = all.width == 1 ? plain_sweeps<d>(material) : lattice_sweeps<d>(material, all);
+  Sweeps<d> sweeps = all.width == 1 ? plain_sweeps<d>(material, all) : lattice_sweeps<d>(material, all);
   sweeps.stress = [stress = sweeps.stress](const BondTable<d>& bonds, const Field& u, const Block& block,
                                            Field& P, Field* F) {
     stress(bonds, u, block, P, F);
@@ -49,6 +49,10 @@ Sweeps<d> linear_sweeps(const Elastic& elastic, const BondTable<d>& all) {
 template <int d>
 LinearOperator<d>::LinearOperator(Solid<d> solid, const std::vector<Support<d>>& supports)
     : solid_(std::move(solid)) {
+  for (const auto& term : solid_.terms)
+    if (term.whole)
+      throw InputError("a spectrum with [" + term.name + "]",
+                       "its matrix couples every particle with every other", "leave the section out");
   own_sweeps_ = solid_.sweeps;
   solid_.sweeps = linear_sweeps<d>(solid_.elastic, solid_.bonds);
   state_ = make_state(solid_);
@@ -167,6 +171,15 @@ Eigen::MatrixXd LinearOperator<d>::rigid_motions() const {
       for (int m = 0; m < motions; ++m) row[m] = motion(cloud.X[i], m)[k];
       held += row * row.transpose();
     }
+  if (solid_.bonds.mirror)  // nothing leaves a wall
+    for (const Wall& wall : solid_.bonds.mirror->walls)
+      for (const Vec<d>& X : cloud.X) {
+        Vec<d> foot = X;
+        foot[wall.axis] = cloud.box.origin[wall.axis] + (wall.upper ? cloud.box.size[wall.axis] : 0);
+        Eigen::VectorXd row(motions);
+        for (int m = 0; m < motions; ++m) row[m] = motion(foot, m)[wall.axis];
+        held += row * row.transpose();
+      }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);
   Eigen::MatrixXd allowed(motions, 0);
   for (int m = 0; m < motions; ++m) {

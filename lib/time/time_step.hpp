@@ -15,7 +15,7 @@ enum class WaveSpeed {
 std::string_view name_of(WaveSpeed speed);
 WaveSpeed wave_speed_named(std::string_view name);
 
-/// min over pairs r_ij / C_p,ij [s] in the current state: the time step of (31) for alpha_CFL = 1.
+/// min over pairs r_ij / C_p,ij [s] in the current state: the step of (31), THEORY (7.3), at alpha = 1.
 template <int d>
 double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed speed);
 

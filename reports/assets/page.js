@@ -1,4 +1,5 @@
-// Sorting by a click on a heading, filtering by typing. Without it every table can be read as it stands.
+// Sorting by a click on a heading, filtering by typing, frames one at a time. Without it every table can be read as it stands and
+// all frames are seen side by side.
 (() => {
   'use strict';
   const value = cell => cell === undefined ? '' : cell.dataset.v !== undefined ? Number(cell.dataset.v) : cell.textContent;
@@ -36,9 +37,41 @@
     });
     if (table.tBodies[0].rows.length > 6) addFilter(table);
   }
+  const animate = box => {
+    const frames = [...box.querySelectorAll('.frame')];
+    const bar = document.createElement('div');
+    const slider = document.createElement('input');
+    const button = document.createElement('button');
+    let timer = 0;
+    const show = k => frames.forEach((frame, n) => frame.classList.toggle('on', n === k));
+    const stop = () => { clearInterval(timer); timer = 0; button.textContent = 'play'; };
+    bar.className = 'slider';
+    slider.type = 'range';
+    slider.min = 0;
+    slider.max = frames.length - 1;
+    slider.value = frames.length - 1;
+    slider.setAttribute('aria-label', 'frame');
+    slider.addEventListener('input', () => { stop(); show(Number(slider.value)); });
+    button.type = 'button';
+    button.addEventListener('click', () => {
+      if (timer) return stop();
+      button.textContent = 'stop';
+      timer = setInterval(() => {
+        slider.value = (Number(slider.value) + 1) % frames.length;
+        show(Number(slider.value));
+      }, 250);
+    });
+    stop();
+    bar.append(button, slider);
+    box.classList.add('js');
+    box.before(bar);
+    show(frames.length - 1);
+  };
+  document.querySelectorAll('.frames').forEach(animate);
   const openTarget = () => {
     const target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    if (target && target.tagName === 'DETAILS') target.open = true;
+    const box = target && target.closest('details');
+    if (box) box.open = true;
   };
   addEventListener('hashchange', openTarget);
   openTarget();

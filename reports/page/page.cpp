@@ -8,18 +8,12 @@
 #include "reports/assets.hpp"
 #include "reports/page/parts.hpp"
 #include "reports/plot/svg_text.hpp"
+#include "reports/theory/theory.hpp"
 
 namespace plumb::reports {
 namespace {
 
 using plot::escaped;
-
-std::string tags(const std::vector<std::pair<std::string, std::size_t>>& counts) {
-  std::string out;
-  for (const auto& [name, count] : counts)
-    if (count > 0) out += page::verdict(name, fmt::format("{} {}", count, name)) + " ";
-  return out;
-}
 
 std::string reproduce(const PageSection& section) {
   if (section.jobs.empty()) return {};
@@ -47,36 +41,31 @@ std::vector<std::pair<std::string, std::size_t>> count_verdicts(const std::vecto
 
 namespace page {
 
+std::string text(const std::string& plain) {
+  return theory::linked(escaped(plain));
+}
+
+std::string tags(const std::vector<std::pair<std::string, std::size_t>>& counts) {
+  std::string out;
+  for (const auto& [name, count] : counts)
+    if (count > 0) out += verdict(name, fmt::format("{} {}", count, name)) + " ";
+  return out;
+}
+
 std::string section(const PageSection& s) {
   const Section& content = s.section;
   std::string out = fmt::format(
       "<section id=\"{}\"><h2>{}</h2><p class=\"q\">{}</p><p class=\"a\">{} {}</p>\n", escaped(s.id),
-      escaped(s.title), escaped(content.question), escaped(content.answer), tags(count_verdicts({s})));
+      escaped(s.title), text(content.question), text(content.answer), tags(count_verdicts({s})));
   if (!content.figures.empty()) {
     out += "<div class=\"figs\">";
-    for (const auto& f : content.figures) out += figure(f);
+    for (const auto& f : content.figures) out += figure(f, s);
     out += "</div>\n";
   }
-  out += checks(s.id, content.checks);
-  for (const auto& t : content.tables) out += table(t);
-  for (const auto& note : content.notes) out += "<p class=\"note\">" + escaped(note) + "</p>\n";
+  out += checks(s);
+  for (const auto& t : content.tables) out += table(t, s);
+  for (const auto& note : content.notes) out += "<p class=\"note\">" + text(note) + "</p>\n";
   return out + reproduce(s) + "</section>\n";
-}
-
-std::string first_screen(const Page& page) {
-  std::string out = fmt::format("<header><h1>{}</h1><p class=\"sub\">{}</p><div class=\"tiles\">",
-                                escaped(page.title), escaped(page.subtitle));
-  for (const auto& [name, count] : count_verdicts(page.sections))
-    out += fmt::format("<div class=\"tile v-{0}{1}\"><b>{2}</b> {0}</div>", escaped(name),
-                       count == 0 ? " none" : "", count);
-  out += "</div><dl class=\"facts\">";
-  for (const auto& [name, value] : page.facts)
-    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escaped(name), escaped(value));
-  out += "</dl></header>\n<nav aria-label=\"Sections\"><ol>";
-  for (const auto& s : page.sections)
-    out += fmt::format("<li><a href=\"#{}\">{}</a> {}<br><span>{}</span></li>\n", escaped(s.id),
-                       escaped(s.title), tags(count_verdicts({s})), escaped(s.section.answer));
-  return out + "</ol></nav>\n";
 }
 
 }  // namespace page
@@ -89,10 +78,18 @@ std::string html(const Page& page) {
   out +=
       fmt::format("<title>{}</title><style>{}</style></head><body>\n", escaped(page.title), assets::page_css);
   out += page::first_screen(page) + "<main>\n";
-  for (const auto& section : page.sections) out += page::section(section);
+  std::string chapter;
+  for (const auto& section : page.sections) {
+    if (section.chapter != chapter) out += "<p class=\"chapter\">" + escaped(section.chapter) + "</p>\n";
+    chapter = section.chapter;
+    out += page::section(section);
+  }
   out +=
-      "</main><footer><p>The numbers behind each picture and table are in the folder <code>data</code> "
-      "beside this "
+      "<section id=\"theory\"><h2>Theory</h2><p class=\"q\">Which equations are solved, and what was found "
+      "about them?</p>" +
+      theory::page() + "</section>\n</main>";
+  out +=
+      "<footer><p>The numbers behind each picture and table are in the folder <code>data</code> beside this "
       "page. Nothing on it comes from the network.</p></footer>\n";
   return out + fmt::format("<script>{}</script></body></html>\n", assets::page_js);
 }

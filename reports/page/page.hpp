@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@ struct PageSection {
   std::string id, title;
   Section section;
   std::vector<std::pair<std::string, JobResult>> jobs;  ///< id and what became of it
+  std::string chapter = {};
+  std::map<std::string, std::string> drawn = {};  ///< SVG of figures by id, if they were drawn already
 };
 
 struct Page {

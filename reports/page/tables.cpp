@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/page/parts.hpp"
@@ -40,15 +41,41 @@ std::string cell(const Entry& entry, const Column& column) {
   return "<td></td>";
 }
 
-/// Command and JSON of one or two runs; the numbered commands of more.
-std::string source_links(const std::vector<std::string>& jobs) {
-  std::string out = jobs.size() > 2 ? " · commands:" : "";
-  for (std::size_t k = 0; k < jobs.size(); ++k)
-    out += jobs.size() > 2
-               ? fmt::format(" <a href=\"#cmd-{}\">{}</a>", escaped(jobs[k]), k + 1)
-               : fmt::format(" · <a href=\"#cmd-{0}\">command</a> · <a href=\"data/{0}.json\">JSON</a>",
-                             escaped(jobs[k]));
-  return out;
+/// The job behind row r of a table, or "".
+std::string job_of_row(const DataTable& table, std::size_t r) {
+  if (table.row_jobs.size() == table.rows.size()) return table.row_jobs[r];
+  if (table.jobs.size() == 1) return table.jobs[0];
+  return table.jobs.size() == table.rows.size() ? table.jobs[r] : std::string();
+}
+
+/// The picture of row r: the one named, or the first of the section that shows its job; "" if there is none.
+std::string picture_of_row(const DataTable& table, std::size_t r, const PageSection& section) {
+  const auto& figures = section.section.figures;
+  if (table.figures.size() == table.rows.size()) return table.figures[r];
+  const std::string job = job_of_row(table, r);
+  const auto shows = [&job](const Figure& figure) {
+    return std::find(figure.jobs.begin(), figure.jobs.end(), job) != figure.jobs.end();
+  };
+  const auto found = std::find_if(figures.begin(), figures.end(), shows);
+  return found == figures.end() ? std::string() : found->id;
+}
+
+/// Where the command of a job stands; the list of commands of the section if no job is named.
+std::string command_link(const std::string& job, const PageSection& section) {
+  const bool known = std::any_of(section.jobs.begin(), section.jobs.end(),
+                                 [&job](const auto& entry) { return entry.first == job; });
+  if (!known && section.jobs.empty()) return {};
+  return fmt::format("<a href=\"#{}\">command</a>",
+                     known ? "cmd-" + escaped(job) : escaped(section.id) + "-how");
+}
+
+/// The last cell of a row: where its picture and its command are.
+std::string row_links(const DataTable& table, std::size_t r, const PageSection& section) {
+  const std::string picture = picture_of_row(table, r, section);
+  const std::string command = command_link(job_of_row(table, r), section);
+  std::string out = picture.empty() ? "" : fmt::format("<a href=\"#fig-{}\">picture</a>", escaped(picture));
+  if (!out.empty() && !command.empty()) out += " · ";
+  return "<td class=\"see\">" + out + command + "</td>";
 }
 
 }  // namespace
@@ -73,51 +100,53 @@ std::string verdict(const std::string& name, const std::string& text) {
   return fmt::format("<span class=\"v v-{}\">{}</span>", escaped(name), escaped(text));
 }
 
-std::string table(const DataTable& table) {
-  const bool long_table = table.rows.size() > 12;
-  const bool pictured = table.figures.size() == table.rows.size() && !table.rows.empty();
+std::string source_links(const std::vector<std::string>& jobs) {
+  std::string out = jobs.size() > 2 ? " · commands:" : "";
+  for (std::size_t k = 0; k < jobs.size(); ++k)
+    out += jobs.size() > 2
+               ? fmt::format(" <a href=\"#cmd-{}\">{}</a>", escaped(jobs[k]), k + 1)
+               : fmt::format(" · <a href=\"#cmd-{0}\">command</a> · <a href=\"data/{0}.json\">JSON</a>",
+                             escaped(jobs[k]));
+  return out;
+}
+
+std::string table(const DataTable& table, const PageSection& section) {
+  const bool long_table = table.rows.size() > 20;
   std::string out =
-      fmt::format("<details class=\"tb\" id=\"{}\"{}><summary>{} <small>({} rows)</small></summary>",
+      fmt::format("<details class=\"tb\" id=\"table-{}\"{}><summary>{} <small>({} rows)</small></summary>",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());
   out += "<div class=\"scroll\"><table class=\"data";
   out += has_sentences(table) ? " cards\"><thead><tr>" : "\"><thead><tr>";
   for (const auto& column : table.columns)
     out += fmt::format("<th scope=\"col\">{}{}</th>", escaped(column.name),
                        column.unit.empty() ? "" : " <small>[" + escaped(column.unit) + "]</small>");
-  if (pictured) out += "<th scope=\"col\">see</th>";
-  out += "</tr></thead><tbody>\n";
+  out += "<th scope=\"col\" class=\"see\">see</th></tr></thead><tbody>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     out += "<tr>";
     for (std::size_t c = 0; c < table.columns.size(); ++c)
       out += c < table.rows[r].size() ? cell(table.rows[r][c], table.columns[c]) : "<td></td>";
-    if (pictured) out += fmt::format("<td><a href=\"#{}\">picture</a></td>", escaped(table.figures[r]));
-    out += "</tr>\n";
+    out += row_links(table, r, section) + "</tr>\n";
   }
   out += "</tbody></table></div>";
-  return out + fmt::format("<p class=\"src\"><a href=\"data/{}.csv\">CSV</a>{}</p></details>\n",
+  return out + fmt::format("<p class=\"src\"><a href=\"data/table-{}.csv\">CSV</a>{}</p></details>\n",
                            escaped(table.id), source_links(table.jobs));
 }
 
-std::string checks(const std::string& section_id, const std::vector<Check>& checks) {
+std::string checks(const PageSection& section) {
+  const auto& checks = section.section.checks;
   if (checks.empty()) return {};
   std::string out = fmt::format(
       "<h3 id=\"{}-checks\">Checks</h3><div class=\"scroll\"><table class=\"data cards\"><thead><tr><th "
-      "scope=\"col\">verdict</th><th scope=\"col\">"
-      "what</th><th scope=\"col\">expected</th><th scope=\"col\">found</th></tr></thead><tbody>\n",
-      escaped(section_id));
+      "scope=\"col\">verdict</th><th scope=\"col\">what</th><th scope=\"col\">expected</th><th "
+      "scope=\"col\">found</th><th scope=\"col\" class=\"see\">see</th></tr></thead><tbody>\n",
+      escaped(section.id));
   for (const auto& check : checks)
     out += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td data-l=\"expected\">{}</td><td data-l=\"found\">{}</td></tr>\n",
+        "<tr><td>{}</td><td>{}</td><td data-l=\"expected\">{}</td><td data-l=\"found\">{}</td><td "
+        "class=\"see\">{}</td></tr>\n",
         verdict(check.verdict, check.verdict), escaped(check.what), escaped(check.expected),
-        escaped(check.measured));
+        escaped(check.measured), command_link(check.job, section));
   return out + "</tbody></table></div>\n";
-}
-
-std::string figure(const Figure& figure) {
-  return fmt::format(
-      "<figure id=\"{0}\">{1}<figcaption>{2} <span class=\"src\"><a href=\"data/{0}.csv\">CSV</a> · "
-      "<a href=\"figures/{0}.svg\">SVG</a>{3}</span></figcaption></figure>\n",
-      escaped(figure.id), svg(figure.picture, figure.id), escaped(figure.caption), source_links(figure.jobs));
 }
 
 }  // namespace page

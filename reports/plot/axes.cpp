@@ -57,7 +57,8 @@ std::string with_unit(const std::string& label, const std::string& unit) {
 
 std::string tick_text(double value) {
   const double size = std::abs(value);
-  if (value == 0 || (size >= 0.999e-3 && size < 0.999e5)) return fmt::format("{:.4g}", value);
+  if (size >= 1e4 && size < 0.999e5) return fmt::format("{:.0f}", value);
+  if (value == 0 || (size >= 0.999e-3 && size < 1e4)) return fmt::format("{:.4g}", value);
   const std::string text = fmt::format("{:.3e}", value);
   const auto e = text.find('e');
   std::string digits = text.substr(0, e);
@@ -73,7 +74,7 @@ std::string axis_commands(const std::string& name, const Range& range, const std
   if (!ticks.empty()) return out + explicit_ticks(name, ticks);
   if (!range.log) return out + fmt::format("set {}tics {:.12g}\n", name, nice_step(range));
   const double decades = std::log10(range.high / range.low);
-  if (decades < 1.8) return out + explicit_ticks(name, one_two_five(range));
+  if (decades < 2.2) return out + explicit_ticks(name, one_two_five(range));
   const int step = static_cast<int>(std::ceil(decades / 9));
   return out + fmt::format("set {0}tics 1e{1} format \"10^{{%T}}\"\nset m{0}tics {2}\n", name, step,
                            step == 1 ? 10 : 1);

@@ -57,6 +57,17 @@ void check_map(const Map& map, const Axis& x, const Axis& y) {
                      "its grid must rise, be finite, and be positive on logarithmic axes", "Sort the grid.");
 }
 
+void check_intervals(const Intervals& rows) {
+  const std::size_t n = rows.names.size();
+  if (n > 0 && rows.low.size() == n && rows.value.size() == n && rows.high.size() == n &&
+      rows.expected.size() == n)
+    return;
+  throw InputError("the intervals cannot be drawn",
+                   fmt::format("{} names, {} low, {} and {} high ends, {} values expected", n,
+                               rows.low.size(), rows.value.size(), rows.high.size(), rows.expected.size()),
+                   "Give lists of one length.");
+}
+
 }  // namespace
 
 void check(const Picture& picture) {
@@ -72,6 +83,13 @@ void check(const Picture& picture) {
                        fmt::format("{} and {} positions, {} values, size {}", map->x.size(), map->y.size(),
                                    map->z.size(), map->size),
                        "Give one value for each position and a positive size.");
+  if (const auto* rows = std::get_if<Intervals>(&picture.map)) check_intervals(*rows);
+  if (const auto* map = std::get_if<Patches>(&picture.map))
+    if (map->z.empty() || map->x.size() != 4 * map->z.size() || map->y.size() != map->x.size())
+      throw InputError(
+          "the body cannot be drawn",
+          fmt::format("{} and {} corners, {} values", map->x.size(), map->y.size(), map->z.size()),
+          "Give four corners for each value.");
   if (const auto* map = std::get_if<CategoryMap>(&picture.map)) {
     check_map(*map, picture.x, picture.y);
     for (int z : map->z)

@@ -77,6 +77,15 @@ void set_ranges(Prepared& p) {
         x.add(map->x[k] + side * map->size);
         y.add(map->y[k] + side * map->size);
       }
+  if (const auto* rows = std::get_if<Intervals>(&p.picture.map)) {
+    for (const auto* values : {&rows->low, &rows->value, &rows->high, &rows->expected}) x.add(*values);
+    y.add(-0.6);
+    y.add(static_cast<double>(rows->names.size()) - 0.4);
+  }
+  if (const auto* map = std::get_if<Patches>(&p.picture.map)) {
+    x.add(map->x);
+    y.add(map->y);
+  }
   p.x = padded(x, p.picture.x, has_map ? 0 : 0.03);
   p.y = padded(y, p.picture.y, has_map ? 0 : 0.06);
 }
@@ -156,18 +165,32 @@ void set_margins(Prepared& p) {
     for (const auto& name : map->names) longest = std::max(longest, letters(name));
   const double wide = static_cast<double>(longest) * letter_px;
   const bool category = std::holds_alternative<CategoryMap>(picture.map);
-  if (std::holds_alternative<HeatMap>(picture.map) || std::holds_alternative<PointMap>(picture.map))
+  const bool body = std::holds_alternative<Patches>(picture.map);
+  if (body || std::holds_alternative<HeatMap>(picture.map) || std::holds_alternative<PointMap>(picture.map))
     p.margins.right = 92;
+  if (body) p.margins.left = 14, p.margins.bottom = 12 + notes;  // no axes
+  if (const auto* rows = std::get_if<Intervals>(&picture.map)) {
+    std::size_t name = 0;
+    for (const auto& row : rows->names) name = std::max(name, letters(row));
+    p.margins.left = std::min(20 + static_cast<double>(name) * letter_px, 0.62 * picture.width);
+  }
   if (picture.labels == Labels::legend || category) {
     const std::size_t entries =
         picture.series.size() + (category ? std::get<CategoryMap>(picture.map).names.size() : 0);
     const double area = picture.width - p.margins.left - p.margins.right;
     p.legend_columns = std::max<std::size_t>(1, static_cast<std::size_t>(area / (1.15 * wide + 70)));
     p.legend_rows = (entries + p.legend_columns - 1) / p.legend_columns;
-    p.margins.bottom += 6 + line_px * static_cast<double>(p.legend_rows);
+    p.margins.bottom += 6 + legend_px * static_cast<double>(p.legend_rows);
   } else if (longest > 0) {
     p.margins.right += std::min(wide + 14, 0.45 * picture.width);
   }
+}
+
+/// A long legend makes the picture higher, not the plot flat.
+void keep_room(Prepared& p) {
+  constexpr double least = 230;  // of the plot [pixels]
+  const double left = p.picture.height - p.margins.top - p.margins.bottom;
+  if (p.legend_rows > 0 && left < least) p.picture.height += static_cast<int>(least - left);
 }
 
 /// Widens one axis about its middle until a unit of x is as long as a unit of y.
@@ -194,9 +217,10 @@ Prepared prepare(const Picture& picture) {
   set_ranges(p);
   place_triangles(p);
   set_margins(p);
+  keep_room(p);
   if (picture.equal_axes) make_equal(p);
   if (picture.labels == Labels::ends && !std::holds_alternative<CategoryMap>(picture.map))
-    place_labels(p, picture.height - p.margins.top - p.margins.bottom);
+    place_labels(p, p.picture.height - p.margins.top - p.margins.bottom);
   return p;
 }
 

@@ -48,6 +48,8 @@ struct Prepared {
 
 /// Size of the letters, and the width that one takes on average [pixels].
 inline constexpr double font_px = 13, letter_px = 7.0, line_px = 17;
+/// Height of a row of the legend, as gnuplot spaces it [pixels].
+inline constexpr double legend_px = 21;
 
 /// Checks and prepares a picture. @throws InputError as plumb::reports::save().
 Prepared prepare(const Picture& picture);

@@ -7,6 +7,7 @@
 
 #include "reports/palette.hpp"
 #include "reports/plot/axes.hpp"
+#include "reports/plot/maps.hpp"
 
 namespace plumb::reports::plot {
 namespace {
@@ -108,71 +109,6 @@ std::string legend(const Prepared& p) {
       "set key at screen 0.5, screen {:.6f} center bottom horizontal maxcols {} Left reverse "
       "noenhanced samplen 2.5 spacing 1.05\n",
       (4 + notes) / p.picture.height, p.legend_columns);
-}
-
-template <class Map, class Value>
-std::string cells(const Prepared& p, const Map& map, const std::string& name, Value&& value) {
-  std::string out = "$" + name + " << EOD\n";
-  for (std::size_t j = 0; j < map.y.size(); ++j)
-    for (std::size_t i = 0; i < map.x.size(); ++i) {
-      const std::string z = value(map.z[j * map.x.size() + i]);
-      if (z.empty()) continue;
-      out += fmt::format("{:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {}\n", map.x[i], map.y[j],
-                         p.x_borders[i], p.x_borders[i + 1], p.y_borders[j], p.y_borders[j + 1], z);
-    }
-  return out + "EOD\n";
-}
-
-/// The palette and the bar that explains it.
-std::string colour_bar(const Prepared& p, bool log, const std::string& label) {
-  std::string out;
-  const double w = p.picture.width;
-  for (std::size_t k = 0; k < heat_stops.size(); ++k)
-    out += fmt::format("{}{} \"{}\"", k == 0 ? "set palette defined (" : ", ", k, heat_stops[k]);
-  out += fmt::format(")\n{}set cblabel {} noenhanced\n",
-                     log ? "set logscale cb\nset format cb \"10^{%T}\"\n" : "", literal(label));
-  return out +
-         fmt::format("set colorbox user origin screen {:.6f}, graph 0 size screen {:.6f}, graph 1 noborder\n",
-                     1 - 80 / w, 14 / w);
-}
-
-/// The particles of a body as squares, one line each.
-std::string body_cells(const PointMap& map) {
-  std::string out = "$body << EOD\n";
-  const double half = 0.5 * map.size;
-  for (std::size_t k = 0; k < map.x.size(); ++k)
-    if (std::isfinite(map.z[k]))
-      out += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", map.x[k], map.y[k],
-                         map.x[k] - half, map.x[k] + half, map.y[k] - half, map.y[k] + half, map.z[k]);
-  return out + "EOD\n";
-}
-
-/// Data and plot elements of the map; the elements are added to `plots`.
-std::string map_commands(const Prepared& p, std::vector<std::string>& plots) {
-  std::string out;
-  const std::string style = "using 1:2:3:4:5:6";
-  if (const auto* map = std::get_if<HeatMap>(&p.picture.map)) {
-    const bool log = map->scale == Scale::log;
-    out += colour_bar(p, log, with_unit(map->label, map->unit));
-    out += cells(p, *map, "map", [log](double z) {
-      return std::isfinite(z) && !(log && z <= 0) ? fmt::format("{:.12g}", z) : std::string();
-    });
-    plots.push_back("$map " + style + ":7 with boxxyerror fs solid noborder lc palette notitle");
-  }
-  if (const auto* map = std::get_if<PointMap>(&p.picture.map)) {
-    out += colour_bar(p, false, with_unit(map->label, map->unit)) + body_cells(*map);
-    plots.push_back("$body " + style + ":7 with boxxyerror fs solid noborder lc palette notitle");
-  }
-  if (const auto* map = std::get_if<CategoryMap>(&p.picture.map))
-    for (int c = 0; c < static_cast<int>(map->names.size()); ++c) {
-      const auto mine = [c](int z) { return z == c ? std::string("1") : std::string(); };
-      const bool used = std::find(map->z.begin(), map->z.end(), c) != map->z.end();
-      out += cells(p, *map, fmt::format("map{}", c), mine);
-      plots.push_back(fmt::format(
-          "{} with boxxyerror fc rgb \"{}\" fs solid border lc rgb \"#ffffff\" title {}",
-          used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line, literal(map->names[c])));
-    }
-  return out;
 }
 
 std::string series_commands(const Prepared& p, std::vector<std::string>& plots) {

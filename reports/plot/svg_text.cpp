@@ -48,6 +48,15 @@ const std::string& style() {
   return text;
 }
 
+/// The mesh on a surface, as thin strokes of its quadrilaterals.
+std::string mesh_style(const Picture& picture, const std::string& prefix) {
+  if (!std::holds_alternative<Patches>(picture.map)) return {};
+  return fmt::format(
+      "<style>#{}-plot-1 "
+      "polygon{{stroke:#000;stroke-opacity:.3;stroke-width:.5;shape-rendering:auto}}</style>",
+      prefix);
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
@@ -73,7 +82,9 @@ std::string tidy_svg(std::string svg, const Picture& picture, const std::string&
   const std::size_t from = svg.find("<title>");
   const std::size_t to = svg.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
-    svg.replace(from, to + 7 - from, fmt::format("<title>{}</title>{}", escaped(picture.title), style()));
+    svg.replace(
+        from, to + 7 - from,
+        fmt::format("<title>{}</title>{}", escaped(picture.title), style()) + mesh_style(picture, prefix));
   replace_all(svg, "<svg \n", "<svg class=\"plumb\" role=\"img\"\n");
   // Drop what gnuplot never uses here: filters for boxed text.
   const std::size_t filters = svg.find("<filter id='textbox'"), defs_end = svg.find("</defs>");

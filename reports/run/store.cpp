@@ -62,15 +62,15 @@ std::string content_of(const fs::path& file) {
   return text.str();
 }
 
-Store::Store(fs::path folder, fs::path program, fs::path root, int threads)
+Store::Store(fs::path folder, fs::path program, fs::path root, int threads, const std::string& code)
     : folder_(std::move(folder)),
       program_(std::move(program)),
       root_(std::move(root)),
       threads_(threads),
-      program_hash_(hash(content_of(program_))) {}
+      code_(hash(code.empty() ? content_of(program_) : code)) {}
 
 std::string Store::key(const Job& job) const {
-  std::string all = program_hash_ + fmt::format("\nthreads {}\n", threads_);
+  std::string all = code_ + fmt::format("\nthreads {}\n{}\n", threads_, machine());
   for (const auto& argument : job.arguments) all += argument + "\n";
   for (const auto& input : job.inputs) all += input + " " + hash(content_of(root_ / input)) + "\n";
   return hash(all);

@@ -7,12 +7,15 @@
 
 namespace plumb::reports::run {
 
-/// Keeps the results of jobs on the disk, by a hash of everything that they depend on: the program (its
-/// bytes, so the commit too), the arguments and the content of the files that the job reads.
+/// Keeps the results of jobs on the disk, by a hash of everything that they depend on: the code that
+/// computes, the machine, the arguments and the content of the files that the job reads.
 class Store {
  public:
-  /// `root` is the folder that arguments and inputs are relative to.
-  Store(std::filesystem::path folder, std::filesystem::path program, std::filesystem::path root, int threads);
+  /// `root` is the folder that arguments and inputs are relative to. `code` names the code that computes, as
+  /// a hash of its sources and of how they are built, so that a change of the report alone keeps the results;
+  /// without it the bytes of the program count.
+  Store(std::filesystem::path folder, std::filesystem::path program, std::filesystem::path root, int threads,
+        const std::string& code = {});
 
   /// The stored result, or a fresh one. A job that fails (exit code other than 0 and 1, or no JSON) is not
   /// kept.
@@ -24,7 +27,7 @@ class Store {
 
   std::filesystem::path folder_, program_, root_;
   int threads_;
-  std::string program_hash_;
+  std::string code_;
 };
 
 /// The whole content of a file. @throws InputError if it cannot be read.

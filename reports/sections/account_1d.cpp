@@ -49,7 +49,7 @@ Section write(const Results& results) {
 /// The account of the sentences of sections 2.2 and 4.1 of paper 000.
 SectionPlan account_1d(bool) {
   return {
-      50, "account", "What the paper says about one dimension", {{"account", {"oned", "account"}}}, write};
+      150, "account", "What the paper says about one dimension", {{"account", {"oned", "account"}}}, write};
 }
 
 }  // namespace plumb::reports::sections

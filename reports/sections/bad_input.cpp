@@ -36,7 +36,7 @@ Section write(const Results& results) {
 /// Bad input and its messages.
 SectionPlan bad_input(bool) {
   const std::string table = "verification/bad_inputs.toml";
-  return {90, "bad-input", "Bad input", {{"refusals", {"refusals", table}, {table}}}, write};
+  return {1010, "bad-input", "Bad input", {{"refusals", {"refusals", table}, {table}}}, write};
 }
 
 }  // namespace plumb::reports::sections

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/checks.hpp"
+#include "reports/page/page.hpp"
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
@@ -70,9 +71,8 @@ std::vector<Figure> figures(const Results& results) {
     jobs.push_back(v.id);
   }
   const std::string set_up = "5 × 5 × 30 particles, β = 0.9, W1, improved F, α = 0.3.";
-  std::vector<Figure> out{
-      {"column-energy", change, set_up + " A scheme without dissipation keeps the energy.", jobs},
-      {"column-parts", parts, set_up, {variants.front().id}}};
+  std::vector<Figure> out{{"column-energy", change, set_up, jobs},
+                          {"column-parts", parts, set_up, {variants.front().id}}};
   if (!tip.series.empty()) out.push_back({"column-tip", tip, set_up, jobs});
   return out;
 }
@@ -120,7 +120,7 @@ Section write(const Results& results) {
     s.tables[0].figures.push_back("column-energy");
     s.checks.push_back({v.name + ": run to its end", "completed", text(run, "status"),
                         pass_if(text(run, "status") == "completed")});
-    changes += fmt::format("{}{:+.3g} % ({})", changes.empty() ? "" : ", ", change, v.name);
+    changes += fmt::format("{}{} % ({})", changes.empty() ? "" : ", ", number_text(change, 3), v.name);
   }
   const Json first = results.json("column-paper"), kept = results.json("column-no-jst");
   s.checks.push_back(number_check("energy at the start, cell layout [J]",
@@ -142,7 +142,7 @@ Section write(const Results& results) {
 
 /// Section 5.3 of paper 000: the bending column and its energy.
 SectionPlan bending_column(bool) {
-  SectionPlan plan{200, "column", "Bending column: energy", {}, write};
+  SectionPlan plan{610, "column", "Bending column: energy", {}, write};
   for (const auto& v : variants) plan.jobs.push_back(job_of(v));
   return plan;
 }

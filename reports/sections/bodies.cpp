@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
+#include "reports/body.hpp"
 #include "reports/checks.hpp"
 #include "reports/results.hpp"
 #include "reports/section.hpp"
@@ -19,7 +19,8 @@ struct Body {
   std::string id, name, scene;
   std::vector<std::string> set;
   char along, across, depth;  ///< axes; depth ' ' in 2D
-  double size;                ///< edge of a drawn particle [m]
+  double size;                ///< spacing [m]
+  bool moves = false;         ///< states on the way are drawn too
 };
 
 std::vector<Body> short_bodies() {
@@ -31,7 +32,8 @@ std::vector<Body> short_bodies() {
            'z',
            'y',
            'x',
-           0.2},
+           0.2,
+           true},
           {"pulling",
            "Pulling column, nodes of 6 × 6 × 36 cells, W0, 1.2 s",
            "pulling-column-nu-45",
@@ -48,7 +50,8 @@ std::vector<Body> short_bodies() {
            'z',
            'y',
            'x',
-           0.143}};
+           0.143,
+           true}};
 }
 
 /// The sizes and end times of the paper.
@@ -64,14 +67,17 @@ std::vector<Body> long_bodies() {
                      'y',
                      ' ',
                      1.0 / n});
-  all.push_back({"cube-50",
-                 "Spinning cube, 50³, 2 s",
-                 "spinning-cube",
-                 {"body.particles=[50,50,50]", "scene.end_time=2"},
-                 'x',
-                 'y',
-                 'z',
-                 0.02});
+  // with the symmetrised force the step collapses from 0.7 s on (claims ledger, 5.2-cube-smooth)
+  for (const auto& [momentum, end] : {std::pair("symmetrised", 0.7), {"adjoint", 2.0}})
+    all.push_back({fmt::format("cube-50-{}", momentum),
+                   fmt::format("Spinning cube, 50³, {}, {} s", momentum, end),
+                   "spinning-cube",
+                   {"body.particles=[50,50,50]", fmt::format("scene.end_time={}", end),
+                    fmt::format("method.momentum={}", momentum)},
+                   'x',
+                   'y',
+                   'z',
+                   0.02});
   for (const int n : {10, 20})
     for (const char* momentum : {"symmetrised", "adjoint"})
       all.push_back({fmt::format("column-{}-{}", n, momentum),
@@ -83,16 +89,37 @@ std::vector<Body> long_bodies() {
                      'y',
                      'x',
                      1.0 / n});
+  // the scene at half its step (cell layout, symmetrised), and the one reading in which the published
+  // stretches appear
+  const std::vector<std::pair<std::string, std::vector<std::string>>> pulls{
+      {"cell", {"method.cfl=0.5"}},
+      {"node",
+       {"body.layout=node", "body.particles=[13,13,73]", "method.pair=W0", "method.momentum=adjoint",
+        "method.cfl=0.5", "jst.eta4=0"}}};
   for (const char* nu : {"45", "495"})
     for (const char* gradient : {"standard", "improved"})
-      all.push_back({fmt::format("pulling-{}-{}", nu, gradient),
-                     fmt::format("Pulling column, 12 × 12 × 72, ν = 0.{}, {} F", nu, gradient),
-                     fmt::format("pulling-column-nu-{}", nu),
-                     {fmt::format("method.gradient={}", gradient)},
-                     'z',
-                     'y',
-                     'x',
-                     0.083});
+      for (const auto& [reading, set] : pulls) {
+        Body body{fmt::format("pulling-{}-{}-{}", nu, gradient, reading),
+                  fmt::format("Pulling column, 12 × 12 × 72, ν = 0.{}, {} F, {}", nu, gradient,
+                              reading == "cell" ? "cells, symmetrised" : "nodes, W0, adjoint, no JST"),
+                  fmt::format("pulling-column-nu-{}", nu),
+                  set,
+                  'z',
+                  'y',
+                  'x',
+                  0.083};
+        body.set.push_back(fmt::format("method.gradient={}", gradient));
+        all.push_back(std::move(body));
+      }
+  for (const char* alpha : {"0.1", "0.4", "0.9"})
+    all.push_back({fmt::format("twisting-105-{}", alpha[2]),
+                   fmt::format("Twisting column, 105 rad/s, 7 × 7 × 42, α = {}, 0.25 s", alpha),
+                   "twisting-column-105",
+                   {fmt::format("method.cfl={}", alpha)},
+                   'z',
+                   'y',
+                   'x',
+                   0.143});
   all.push_back({"twisting-300",
                  "Twisting column, 300 rad/s, 11 × 11 × 66, 92.1 ms",
                  "twisting-column-300",
@@ -109,6 +136,14 @@ std::vector<Body> long_bodies() {
                  'y',
                  'x',
                  0.083});
+  all.push_back({"oscillating-20",
+                 "Oscillating plate of paper 001, 20 cells across, 2.5 s",
+                 "oscillating-plate",
+                 {"body.spacing=0.001", "scene.end_time=2.5"},
+                 'x',
+                 'y',
+                 ' ',
+                 0.001});
   return all;
 }
 
@@ -122,7 +157,8 @@ std::vector<Body> all_bodies(bool long_run) {
 Job job_of(const Body& body) {
   const std::string file = "verification/scenes/" + body.scene + ".toml";
   Job job{body.id,
-          {"run", file, "--out", "{out}", "--csv", "{out}/last.csv", "--set", "output.vtk=false"},
+          {"run", file, "--out", "{out}", "--csv", "{out}/last.csv", "--set",
+           fmt::format("output.vtk={}", body.moves)},
           {file}};
   for (const auto& entry : body.set) job.arguments.insert(job.arguments.end(), {"--set", entry});
   return job;
@@ -135,32 +171,46 @@ const std::vector<double>& column(const std::map<std::string, std::vector<double
   return found->second;
 }
 
-/// The last state, coloured by the von Mises stress; what is nearer to the reader is drawn later.
-Figure snapshot(const Results& results, const Body& body) {
-  const auto table = results.csv(body.id, "last.csv");
-  const auto axis = [&](char name) { return column(table, std::string("position ") + name + " [m]"); };
-  const auto &stress = column(table, "von Mises stress [Pa]"), along = axis(body.along),
-             across = axis(body.across);
-  std::vector<std::size_t> order(stress.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  if (body.depth != ' ') {
-    const auto depth = axis(body.depth);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return depth[a] < depth[b]; });
+/// Colours from 0 to a round value that all but one in fifty of the numbers stay below.
+Quantity stress_of(const std::vector<BodyState>& states) {
+  std::vector<double> all;
+  for (const auto& state : states) all.insert(all.end(), state.value.begin(), state.value.end());
+  std::erase_if(all, [](double value) { return !std::isfinite(value); });
+  if (all.empty()) throw MissingResult("a run has no finite stress");
+  const auto at = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 49 / 50);
+  std::nth_element(all.begin(), at, all.end());
+  const double top = std::max(1e-6 * *at, 1e-12), decade = std::pow(10.0, std::floor(std::log10(top)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * decade >= top) return {"von Mises stress", "MPa", 1e-6, 0, digit * decade};
+  return {"von Mises stress", "MPa", 1e-6, 0, 10 * decade};
+}
+
+constexpr const char* field = "von Mises stress [Pa]";
+
+/// The last state, coloured by the von Mises stress; for a body that moves, states on the way to it.
+Figure snapshot(const Results& results, const Body& body, double time) {
+  const View view{body.along, body.across, body.depth == ' ' ? 'z' : body.depth};
+  const std::vector<BodyState> states =
+      body.moves ? read_states(results.job(body.id).folder, field)
+                 : std::vector<BodyState>{last_state(results.csv(body.id, "last.csv"), time, field)};
+  const Quantity quantity = stress_of(states);
+  const auto drawn = [&](const BodyState& state) {
+    return body_picture(body.name, state, view, quantity, body.size, states);
+  };
+  Figure figure{
+      body.id + "-stress",
+      drawn(states.back()),
+      fmt::format("Surface through the outer particles{}. One in fifty values may lie above the end of the "
+                  "colours.",
+                  body.moves ? "; times from left to right, or with the slider" : ""),
+      {body.id}};
+  constexpr std::size_t most = 12;
+  const std::size_t frames = body.moves ? std::min(most, states.size()) : 0;
+  for (std::size_t k = 0; k < frames; ++k) {
+    const auto& state = states[frames == 1 ? 0 : k * (states.size() - 1) / (frames - 1)];
+    figure.frames.push_back({fmt::format("t = {:.3g} s", state.time), drawn(state)});
   }
-  PointMap map{{}, {}, {}, body.size, "von Mises stress", "MPa"};
-  for (const std::size_t k : order) {
-    map.x.push_back(along[k]);
-    map.y.push_back(across[k]);
-    map.z.push_back(1e-6 * stress[k]);
-  }
-  Picture picture{body.name, {std::string(1, body.along), "m"}, {std::string(1, body.across), "m"}};
-  picture.map = std::move(map);
-  picture.equal_axes = true;
-  return {body.id + "-stress",
-          picture,
-          "Last state of the run, seen along " + std::string(1, body.depth == ' ' ? 'z' : body.depth) +
-              ": particles as squares of about their spacing.",
-          {body.id}};
+  return figure;
 }
 
 /// Angular momentum of spins, energies of the others.
@@ -168,7 +218,7 @@ Figure history(const Results& results, const Body& body) {
   const auto series = results.csv(body.id, "series.csv");
   const auto& time = column(series, "time [s]");
   Picture picture{body.name, {"time t", "s"}, {"energy", "kJ"}};
-  if (body.depth == ' ') {
+  if (body.scene == "spinning-plate") {
     picture.y = {"angular momentum left", "%"};
     std::vector<double> percent;
     const auto& L = column(series, "angular momentum z [kg m/s]");
@@ -206,12 +256,12 @@ Section write(const Results& results, const std::vector<Body>& all) {
   Section s;
   s.question = "What do the deformed bodies look like, and how long did the runs take?";
   s.tables = {table_of()};
-  std::size_t completed = 0;
+  std::size_t completed = 0, reduced = 0;
   double cpu = 0;
   for (const auto& body : all) {
     const Json run = results.json(body.id);
     const bool driven = body.scene.starts_with("pulling");
-    s.figures.push_back(snapshot(results, body));
+    s.figures.push_back(snapshot(results, body, number(run, "time")));
     s.figures.push_back(history(results, body));
     s.tables[0].rows.push_back({body.name, number(run, "particles"), text(run, "status"), number(run, "time"),
                                 number(run, "steps"),
@@ -219,16 +269,22 @@ Section write(const Results& results, const std::vector<Body>& all) {
                                 number(run, "hourglass_share"), number(run.at("timing"), "cpu_s")});
     s.tables[0].jobs.push_back(body.id);
     s.tables[0].figures.push_back(body.id + "-stress");
-    completed += text(run, "status") == "completed" ? 1 : 0;
+    const bool done = text(run, "status") == "completed";
+    completed += done ? 1 : 0;
+    reduced += done && s.figures.size() <= 2 * short_bodies().size() ? 1 : 0;  // they come first
     cpu += number(run.at("timing"), "cpu_s");
   }
-  s.checks.push_back({"the reduced runs complete", "all 4",
-                      fmt::format("{} of {} runs", completed, all.size()), pass_if(completed >= 4)});
+  const std::size_t wanted = short_bodies().size();
+  s.checks.push_back({"the reduced runs complete", fmt::format("all {}", wanted),
+                      fmt::format("{} of {}", reduced, wanted), pass_if(reduced == wanted)});
   s.answer = fmt::format("{} of {} runs complete; together they took {:.3g} s of CPU time.", completed,
                          all.size(), cpu);
   s.notes = {
       "Runs in the paper's size are made with ./reports/make --long; their times stand in the table. "
-      "Runs that end early are drawn in their last good state."};
+      "Runs that end early are drawn in their last good state.",
+      "Paper 001 (its Table 3) states 5270 s on one core for 2.5 s of the oscillating plate with 5118 "
+      "particles and its total Lagrangian "
+      "scheme, on a machine of its time."};
   return s;
 }
 
@@ -237,7 +293,7 @@ Section write(const Results& results, const std::vector<Body>& all) {
 /// The deformed bodies of sections 5.2 to 5.5 of paper 000.
 SectionPlan bodies(bool long_run) {
   const auto all = all_bodies(long_run);
-  SectionPlan plan{210, "bodies", "Deformed bodies", {}, [all](const Results& r) { return write(r, all); }};
+  SectionPlan plan{510, "bodies", "Deformed bodies", {}, [all](const Results& r) { return write(r, all); }};
   for (const auto& body : all) plan.jobs.push_back(job_of(body));
   return plan;
 }

@@ -78,6 +78,10 @@ Section write(const Results& results) {
       "Of {} claims {} are reproduced in every reading tried, {} in some readings only (ambiguous), {} are "
       "contradicted and {} are open.",
       all, count["reproduced"], count["ambiguous"], count["contradicted"], count["open"]);
+  s.headlines = {
+      {fmt::format("{} claims", all),
+       fmt::format("of the paper: {} reproduced, {} ambiguous, {} contradicted, {} open", count["reproduced"],
+                   count["ambiguous"], count["contradicted"], count["open"])}};
   s.checks.push_back({"claims in the ledger", "at least 40", fmt::format("{}", all), pass_if(all >= 40)});
   for (const auto& part : closed)
     s.checks.push_back(
@@ -100,7 +104,7 @@ SectionPlan claims(bool) {
   const std::string folder = "verification/claims/000-";
   Job job{"claims", {"claims"}, {}};
   for (const auto& [part, title] : parts) job.inputs.push_back(folder + part + ".toml");
-  return {900, "claims", "Ledger of the paper's claims", {job}, write};
+  return {810, "claims", "Ledger of the paper's claims", {job}, write};
 }
 
 }  // namespace plumb::reports::sections

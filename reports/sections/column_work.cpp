@@ -118,7 +118,7 @@ SectionPlan column_work(bool long_run) {
   const std::vector<int> cells = long_run ? std::vector<int>{4, 6, 8, 12, 16} : std::vector<int>{4, 6, 8};
   const int finest = long_run ? 24 : 12;
   SectionPlan plan{
-      205, "column-work", "Bending column: error against cost", {}, [cells, finest](const Results& r) {
+      420, "column-work", "Bending column: error against cost", {}, [cells, finest](const Results& r) {
         return write(r, cells, finest);
       }};
   for (const auto& scheme : schemes) {

@@ -119,7 +119,7 @@ SectionPlan kernels_1d(bool) {
     return std::vector<std::string>{"oned", "kernels", "--at", x,          "--length",
                                     "2",    "--n",     "200",  "--radius", "1"};
   };
-  return {10,
+  return {110,
           "kernels",
           "Corrected kernels in one dimension",
           {{"kernels-middle", at("1")}, {"kernels-wall", at("0")}},

@@ -160,6 +160,7 @@ Section write(const Results& results, bool long_run) {
       figure_of(results, "mms-others", "Vortex, cube and column", rest,
                 "Errors at the end time of each study file."),
       time_figure(time)};
+  s.figures.push_back(orders_figure("mms-orders", "Orders in L₂", fits, "l2"));
   s.tables = {fits, levels};
   s.answer = fmt::format(
       "With nodes and an exact band along the edge the order of the plate is 2 in {} of {} studies; with "
@@ -185,7 +186,7 @@ Section write(const Results& results, bool long_run) {
 
 /// Refinement of every manufactured solution that is no patch, edges and layouts of the plate, order in time.
 SectionPlan manufactured_solutions(bool long_run) {
-  SectionPlan plan{110, "mms", "Manufactured solutions: orders", {}, [long_run](const Results& results) {
+  SectionPlan plan{320, "mms", "Manufactured solutions: orders", {}, [long_run](const Results& results) {
                      return write(results, long_run);
                    }};
   for (const auto& entry : edges(long_run)) plan.jobs.push_back(job_of(entry));

@@ -101,7 +101,7 @@ Section write(const Results& results) {
 
 /// The near-incompressible family: error at a fixed spacing against Poisson's ratio.
 SectionPlan near_incompressible(bool) {
-  return {120, "incompressible", "Nearly incompressible materials", {job()}, write};
+  return {330, "incompressible", "Nearly incompressible materials", {job()}, write};
 }
 
 }  // namespace plumb::reports::sections

@@ -85,7 +85,7 @@ SectionPlan spectrum(bool) {
     return Job{id, arguments, {scene}};
   };
   const std::string plate = "verification/scenes/free_plate.toml";
-  return {60,
+  return {720,
           "spectrum",
           "Spectrum of the linearised operator",
           {job("cube-no-jst", cube, {}), job("cube-jst-64", cube, {"--set", "jst.eta4=0.015625"}),

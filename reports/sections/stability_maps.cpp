@@ -160,7 +160,7 @@ SectionPlan stability_maps(bool long_run) {
     jobs.push_back(job("pulling-stretch-nu", "pulling-column-nu-45.toml"));
     jobs.push_back(job("twisting-rate-resolution", "twisting-column-105.toml"));
   }
-  return {65, "stability-maps", "Maps of stability", jobs,
+  return {710, "stability-maps", "Maps of stability", jobs,
           [jobs](const Results& results) { return write(results, jobs); }};
 }
 

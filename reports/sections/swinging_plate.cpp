@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string paper_file = "verification/studies/swinging_plate.toml";
 const std::string adjoint_file = "verification/studies/swinging_plate_adjoint.toml";
+const std::string mirror_file = "verification/studies/swinging_plate_mirror.toml";
 
 /// One refinement study: the file with some of its entries replaced.
 struct Variant {
@@ -44,7 +45,8 @@ std::vector<Variant> other_variants() {
           {"plate-printed", "U = 0.01 m, as printed", {"study.parameters.amplitude=0.01"}},
           {"plate-forced",
            "U = 0.01 m, finite-strain force",
-           {"study.parameters.amplitude=0.01", "study.force=finite-strain"}}};
+           {"study.parameters.amplitude=0.01", "study.force=finite-strain"}},
+          {"plate-mirror", "adjoint, no JST, mirror images", {}, mirror_file}};
 }
 
 Job job_of(const Variant& variant) {
@@ -63,7 +65,9 @@ Figure compared(const Results& results, const std::vector<Variant>& variants, co
   Picture p{title, axis, {"error in L₂ of the displacement", "m", Scale::log}};
   Figure figure{id, {}, caption, {}};
   for (const auto& v : variants) {
-    p.series.push_back(series_of(results.json(v.id).at("levels"), {}, against, "l2", v.name));
+    const Json result = results.json(v.id);
+    p.series.push_back(series_of(result.at("levels"), {}, against, "l2", v.name));
+    if (against == "d") add_interval(p.series.back(), result, "l2");
     figure.jobs.push_back(v.id);
   }
   if (against == "d") {
@@ -96,12 +100,13 @@ std::vector<Variant> schemes() {
   const auto others = other_variants();
   all.push_back(others[0]);
   all.push_back(others[1]);
+  all.push_back(others[4]);
   return all;
 }
 
 std::vector<Figure> figures(const Results& results) {
   const Axis spacing{"particle spacing d", "m", Scale::log};
-  const std::string set_up = "Error at t = 9T/8, U = 1e-5 m, node layout. ";
+  const std::string set_up = "Error at t = 9T/8, U = 1e-5 m, node layout unless said. ";
   const auto paper = paper_variants();
   const auto others = other_variants();
   return {
@@ -128,25 +133,29 @@ Section write(const Results& results) {
   s.figures = figures(results);
   s.tables = {fits_table("plate-fits", "Fitted orders", {}), levels_table("plate-levels", "All levels", {})};
   std::size_t second = 0, judged = 0;
+  std::string printed;
   for (const auto& v : variants) {
     const Json result = results.json(v.id);
     s.checks.push_back(study_check("L₂ order, " + v.name, result, "l2"));
+    s.checks.back().job = v.id;
     add_fits(s.tables[0], v.name, v.id, result,
              v.id == "plate-printed" || v.id == "plate-forced" ? "plate-floor" : "plate-schemes");
     add_levels(s.tables[1], v.name, v.id, result);
-    if (v.id == "plate-printed") continue;
+    if (v.id == "plate-printed") {
+      printed = s.checks.back().verdict;
+      continue;
+    }
     ++judged;
     second += s.checks.back().verdict == "pass" ? 1 : 0;
   }
-  const auto floor = s.checks[s.checks.size() - 2];
+  s.figures.push_back(orders_figure("plate-orders", "Orders in L₂", s.tables[0], "l2"));
   s.answer = fmt::format(
       "In {} of {} studies free of the modelling floor the L₂ order is 2 within its interval; the case as "
       "printed "
       "(U = 0.01 m) is judged {}.",
-      second, judged, floor.verdict);
+      second, judged, printed);
   s.notes = {
-      "T = 2π/ω = 39.34 ms. At T/4 the h³ error of JST dominates; at 9T/8 the error of the discretisation "
-      "shows.",
+      "T = 2π/ω = 39.34 ms; errors are those at 9T/8.",
       "The paper reports order 2 in L₂ and 0.9 to 1.2 in the H1 seminorm, the latter by Gauss points between "
       "the particles. "
       "Columns l2 and h1 are sums over particles, l2_gauss and h1_gauss are the paper's quadrature."};
@@ -157,7 +166,7 @@ Section write(const Results& results) {
 
 /// Section 5.1 of paper 000: convergence on the swinging plate.
 SectionPlan swinging_plate(bool) {
-  SectionPlan plan{100, "plate", "Swinging plate: convergence", {}, write};
+  SectionPlan plan{310, "plate", "Swinging plate: convergence", {}, write};
   for (const auto& v : paper_variants()) plan.jobs.push_back(job_of(v));
   for (const auto& v : other_variants()) plan.jobs.push_back(job_of(v));
   return plan;

@@ -50,7 +50,6 @@ Figure cost_figure(const Comparison& comparison, const Json& points, const std::
                    const std::string& front, const Axis& axis) {
   Picture p{comparison.title, axis, {"relative error in L₂", "", Scale::log}};
   p.labels = Labels::legend;
-  p.height = 520;
   Series best{"Pareto front", {}, {}, Style::points};
   std::vector<std::string> methods;
   for (const auto& point : points) {
@@ -112,12 +111,15 @@ Section write(const Results& results) {
       auto& both = by_error[number(row, "error")];
       (text(row, "measure") == "cpu_s" ? both.first : both.second) = row;
     }
-    for (const auto& entry : by_error)
+    for (const auto& entry : by_error) {
+      cheapest.row_jobs.push_back(comparison.id);
       cheapest.rows.push_back({comparison.title, entry.first, text(entry.second.first, "method"),
                                number(entry.second.first, "cost"), text(entry.second.second, "method"),
                                number(entry.second.second, "cost")});
+    }
     for (const auto& point : result.at("points")) {
       const bool broken = point.at("error").is_null();
+      all.row_jobs.push_back(comparison.id);
       points_on_front += point.at("front_cpu") == true;
       all.rows.push_back({text(point, "method"), number(point, "d"),
                           broken ? Entry("unstable") : Entry(number(point, "error")), number(point, "cpu_s"),
@@ -148,7 +150,7 @@ Section write(const Results& results) {
 
 /// Error against run time and against work.
 SectionPlan work_precision(bool long_run) {
-  SectionPlan plan{130, "work", "Error against run time", {}, write};
+  SectionPlan plan{410, "work", "Error against run time", {}, write};
   for (const auto& comparison : comparisons()) plan.jobs.push_back(job_of(comparison, long_run));
   return plan;
 }

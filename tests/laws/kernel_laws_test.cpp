@@ -38,6 +38,7 @@ template <class Case>
 class KernelLaws : public ::testing::Test {};
 TYPED_TEST_SUITE(KernelLaws, test::AllDimensions<KernelCatalogue>, test::Names);
 
+/// THEORY (1.1).
 TYPED_TEST(KernelLaws, UnitIntegral) {
   using K = typename TypeParam::part;
   constexpr int d = TypeParam::d;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "tests/support/browser.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {
@@ -23,6 +24,50 @@ TEST(Report, MakesOnePageWhoseLinksAllLead) {
     EXPECT_TRUE(fs::exists(folder / (*m)[1].str())) << (*m)[1];
   EXPECT_GT(links, 10u);
   EXPECT_NE(page.find("plumb oned kernels --at 0"), std::string::npos);
+}
+
+/// Every link and anchor of a page leads somewhere, and the browser finds nothing wrong with it.
+void check_page(const fs::path& folder, int width, const std::string& page) {
+  const auto seen = test::Browser().open(page, width, test::reader);
+  EXPECT_EQ(seen["console"], "");
+  EXPECT_EQ(seen["frame"], width);
+  EXPECT_LE(seen["overflow"], 0) << "wider than " << width;
+  for (const char* bad : {"lost", "twice", "unsorted", "unfiltered", "stuck"})
+    EXPECT_TRUE(seen[bad].empty()) << bad << ": " << seen[bad];
+  const std::regex link("href=\"([^\"#:]+)\"");
+  for (std::sregex_iterator m(page.begin(), page.end(), link), end; m != end; ++m)
+    EXPECT_TRUE(fs::exists(folder / (*m)[1].str())) << (*m)[1];
+}
+
+TEST(Report, WorksInTheBrowserOnATelephoneADeskAndPaper) {
+  if (!test::Browser::installed()) GTEST_SKIP() << "chromium or pdftotext is not installed";
+  const test::TemporaryFolder folder;
+  const auto outcome = run_plumb("report --quiet --only kernels,account,claims,faults,bad-input --out " +
+                                 folder.path().string());
+  ASSERT_EQ(outcome.code, 0) << outcome.error;
+  const std::string page = test::content_of(folder / "index.html");
+  for (const int width : {400, 1600}) check_page(folder.path(), width, page);
+  int words = 0, outside = 0;
+  test::Browser().print(page, words, outside);
+  EXPECT_GT(words, 3000);
+  EXPECT_EQ(outside, 0) << "words are cut at the edge of the paper";
+}
+
+/// The complete report, if one was made: PLUMB_REPORT names its folder (reports/out of the tree if it is not
+/// set).
+TEST(Report, LongCompletePageWorksInTheBrowser) {
+  if (!test::Browser::installed()) GTEST_SKIP() << "chromium or pdftotext is not installed";
+  const char* named = std::getenv("PLUMB_REPORT");
+  const fs::path folder = named ? fs::path(named) : fs::path(PLUMBLINE_SOURCE_DIR) / "reports" / "out";
+  if (!fs::exists(folder / "index.html")) {
+    const auto outcome = run_plumb("report --quiet --out " + folder.string());
+    ASSERT_LE(outcome.code, 1) << outcome.error;
+  }
+  const std::string page = test::content_of(folder / "index.html");
+  for (const int width : {400, 1600}) check_page(folder, width, page);
+  int words = 0, outside = 0;
+  test::Browser().print(page, words, outside);
+  EXPECT_EQ(outside, 0) << "words are cut at the edge of the paper";
 }
 
 TEST(Report, SecondCallUsesStoredResults) {

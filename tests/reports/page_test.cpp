@@ -80,6 +80,49 @@ TEST(Page, CountsEveryVerdictOnTheFirstScreen) {
   EXPECT_NE(html(sample()).find("<b>1</b> not-computed"), std::string::npos);
 }
 
+TEST(Page, EveryRowLinksToItsCommandAndItsPicture) {
+  Page page = sample();
+  PageSection& section = page.sections[0];
+  JobResult other;
+  other.command = "plumb list";
+  section.jobs.emplace_back("other-run", other);
+  DataTable& table = section.section.tables[0];
+  table.figures.clear();  // found by the job then
+  table.jobs = {"plate-run", "other-run"};
+  const std::string by_row = html(page);
+  EXPECT_NE(by_row.find("<a href=\"#fig-plate-error\">picture</a> · <a href=\"#cmd-plate-run\">command</a>"),
+            std::string::npos);
+  EXPECT_NE(by_row.find("<td class=\"see\"><a href=\"#cmd-other-run\">command</a>"), std::string::npos);
+  table.jobs = {"plate-run", "other-run",
+                "plate-run"};  // which row is whose is not known: the list of commands
+  EXPECT_NE(html(page).find("<td class=\"see\"><a href=\"#plate-how\">command</a>"), std::string::npos);
+  table.row_jobs = {"other-run", "plate-run"};
+  EXPECT_EQ(html(page).find(
+                "<td class=\"see\"><a href=\"#plate-how\">command</a></td></tr>\n</tbody></table></div><p"),
+            std::string::npos);
+}
+
+TEST(Page, FirstScreenShowsScoresAndWhatDidNotPass) {
+  Page page = sample();
+  page.sections[0].section.headlines = {{"94 of 94", "planted faults"}};
+  const std::string text = html(page);
+  const std::string first = text.substr(0, text.find("<main>"));
+  EXPECT_NE(first.find("<b>94 of 94</b> planted faults"), std::string::npos);
+  EXPECT_NE(first.find("What did not pass"), std::string::npos);
+  EXPECT_NE(first.find("floor"), std::string::npos);           // failed
+  EXPECT_NE(first.find("<td>later</td>"), std::string::npos);  // not computed
+  EXPECT_EQ(first.find("<td>order</td>"), std::string::npos);  // passed
+}
+
+TEST(Page, FramesAreAllInThePage) {
+  Page page = sample();
+  Figure& figure = page.sections[0].section.figures[0];
+  figure.frames = {{"t = 1 s", figure.picture}, {"t = 2 s", figure.picture}};
+  const std::string text = html(page);
+  EXPECT_NE(text.find("t = 1 s"), std::string::npos);
+  EXPECT_NE(text.find("t = 2 s"), std::string::npos);
+}
+
 TEST(Page, TablesShowRoundedNumbersAndKeepAllDigitsForSorting) {
   const std::string page = html(sample());
   const auto sort_values = all(page, "data-v=\"([^\"]*)\">1.2·10⁻⁷</td>");

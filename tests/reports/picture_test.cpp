@@ -89,6 +89,25 @@ TEST(Picture, ABodyHasASquareForEveryParticleAndANamedColourBar) {
   EXPECT_THROW(svg(p), InputError);
 }
 
+TEST(Picture, IntervalsNameTheirRowsAndPatchesTheirScale) {
+  Picture orders{"Orders", {"order"}, {""}};
+  orders.map = Intervals{{"W1 & more", "W0"}, {1.9, 0.5}, {2, 0.7}, {2.1, 0.9}, {2, 2}};
+  const auto text = visible_text(svg(orders));
+  for (const char* wanted : {"W1 & more", "W0", "order"})
+    EXPECT_NE(text.find(wanted), std::string::npos) << wanted;
+  EXPECT_NE(data_csv(orders).find("W0,0.5,0.69999999999999996,0.90000000000000002,2"), std::string::npos);
+  Picture body{"body", {""}, {""}};
+  body.map = Patches{{0, 1, 1, 0}, {0, 0, 1, 1}, {5}, "stress", "MPa", 0.0, 10.0, {{0, 0, 1, 0, "x, 1 m"}}};
+  const auto seen = visible_text(svg(body));
+  for (const char* wanted : {"stress [MPa]", "x, 1 m"})
+    EXPECT_NE(seen.find(wanted), std::string::npos) << wanted;
+  EXPECT_NE(data_csv(body).find("0,0,1,0,1,1,0,1,5"), std::string::npos);
+  std::get<Patches>(body.map).y.pop_back();
+  EXPECT_THROW(svg(body), InputError);
+  std::get<Intervals>(orders.map).low.pop_back();
+  EXPECT_THROW(svg(orders), InputError);
+}
+
 TEST(Picture, SamePictureGivesTheSameBytes) {
   EXPECT_EQ(svg(convergence()), svg(convergence()));
 }

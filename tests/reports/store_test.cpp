@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "reports/report.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace {
@@ -29,8 +30,8 @@ class StoreOfResults : public ::testing::Test {
     fs::permissions(folder / "program", fs::perms::owner_all);
     write(folder / "scene.toml", "a = 1");
   }
-  JobResult get(int threads = 0) const {
-    return run::Store(folder / "store", folder / "program", folder.path(), threads)
+  JobResult get(int threads = 0, const std::string& code = {}) const {
+    return run::Store(folder / "store", folder / "program", folder.path(), threads, code)
         .get({"job", {"run", "scene.toml"}, {"scene.toml"}});
   }
   std::size_t calls() const { return fs::exists(folder / "calls") ? fs::file_size(folder / "calls") / 2 : 0; }
@@ -56,6 +57,32 @@ TEST_F(StoreOfResults, ChangedInputProgramOrThreadsMeansANewRun) {
   EXPECT_FALSE(get().reused);
   EXPECT_FALSE(get(2).reused);
   EXPECT_EQ(calls(), 4u);
+}
+
+TEST_F(StoreOfResults, NamedCodeCountsInPlaceOfTheProgram) {
+  get(0, "code 1");
+  std::ofstream(folder / "program", std::ios::app) << "# only the report changed\n";
+  EXPECT_TRUE(get(0, "code 1").reused);
+  EXPECT_FALSE(get(0, "code 2").reused);
+  EXPECT_EQ(calls(), 2u);
+}
+
+TEST_F(StoreOfResults, TheReportLooksUpByTheCodeThatComputes) {
+  ReportOptions options;
+  options.out = folder / "out";
+  options.program = folder / "program";
+  options.root = folder.path();
+  options.only = {"kernels"};
+  options.code = "code 1";
+  const auto first = make_report(options);
+  EXPECT_EQ(first.reused, 0u);
+  ASSERT_EQ(first.problems.size(),
+            1u);  // the program's {"value": 7} is no result of kernels: said, and no crash
+  std::ofstream(folder / "program", std::ios::app) << "# only the report changed\n";
+  const auto second = make_report(options);
+  EXPECT_EQ(second.reused, second.jobs);
+  options.code = "code 2";
+  EXPECT_EQ(make_report(options).reused, 0u);
 }
 
 TEST_F(StoreOfResults, FailedStudyIsSaidAndNotKept) {

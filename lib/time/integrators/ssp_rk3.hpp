@@ -26,9 +26,17 @@ struct SspRk3 {
       const double t = state.time;
       u0_ = state.u;
       v0_ = state.v;
-      const bool sound = stage(solid, state, t, dt, 0, 1) &&
-                         stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4) &&
-                         stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3);
+      // THEORY (5.5)
+      const Arm<d> first = [&](Index i) -> Vec<d> { return at(state.u, i) - dt * at(state.v, i); };
+      const Arm<d> second = [&](Index i) -> Vec<d> {
+        return at(u0_, i) + dt / 6 * (at(state.v, i) - at(v0_, i));
+      };
+      const Arm<d> third = [&](Index i) -> Vec<d> {
+        return 1.0 / 3 * at(u0_, i) + 2.0 / 3 * (at(state.u, i) + dt * at(state.v, i));
+      };
+      const bool sound = stage(solid, state, t, dt, 0, 1, first) &&
+                         stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4, second) &&
+                         stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3, third);
       if (!sound) {
         state.u = u0_;
         state.v = v0_;
@@ -40,23 +48,29 @@ struct SspRk3 {
     }
 
    private:
+    static Vec<d> at(const Field& field, Index i) { return vector_at<d>(field, i); }
+
     /// U <- kept U^n + fresh (U + dt R(U, t)).
-    bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh) {
+    bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh,
+               const Arm<d>& arm) {
       const double per_mass = dt / solid.elastic.density;
-      return evaluate(solid, state, t, [&](const Block& block, BlockForce<d>& force) {
-        for (int k = 0; k < d; ++k) {
-          double* u = state.u[k];
-          double* v = state.v[k];
-          const double* u0 = u0_[k];
-          const double* v0 = v0_[k];
-          const double* f = force.at(k, block.begin()) - block.begin();
+      return evaluate(
+          solid, state, t,
+          [&](const Block& block, BlockForce<d>& force) {
+            for (int k = 0; k < d; ++k) {
+              double* u = state.u[k];
+              double* v = state.v[k];
+              const double* u0 = u0_[k];
+              const double* v0 = v0_[k];
+              const double* f = force.at(k, block.begin()) - block.begin();
 #pragma omp simd
-          for (Index i = block.begin(); i < block.end(); ++i) {
-            u[i] = kept * u0[i] + fresh * (u[i] + dt * v[i]);
-            v[i] = kept * v0[i] + fresh * (v[i] + per_mass * f[i]);
-          }
-        }
-      });
+              for (Index i = block.begin(); i < block.end(); ++i) {
+                u[i] = kept * u0[i] + fresh * (u[i] + dt * v[i]);
+                v[i] = kept * v0[i] + fresh * (v[i] + per_mass * f[i]);
+              }
+            }
+          },
+          arm);
     }
 
     Field u0_, v0_;

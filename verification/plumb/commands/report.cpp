@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "plumb/code.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/data_folder.hpp"
 #include "plumb/provenance.hpp"
@@ -22,6 +23,7 @@ using Json = nlohmann::ordered_json;
 int report(const Session& session, reports::ReportOptions options) {
   options.root = data_folder(options.root);
   options.program = std::filesystem::canonical("/proc/self/exe");
+  options.code = PLUMB_CODE;
   options.threads = session.threads;
   const Json from = provenance();
   const auto entry = [&from](const char* key) { return from.value(key, Json()); };

@@ -31,8 +31,10 @@ Parts parts_of(const Scene& scene, const Simulation<d>& simulation) {
   add(true, "integrator " + std::string(simulation.stepper.name));
   add(has_term("jst"), "jst");
   add(has_term("hourglass"), "hourglass");
+  add(has_term("projection"), "projection");
   add(scene.initial.has_value(), "initial");
   add(has_term("supports"), "boundary");
+  add(has_term("mirror"), "mirror");
   add(simulation.solid.F.components() > 0, "stored deformation gradient");
   add(simulation.solid.stored_force.components() > 0, "stored force");
   add(output.series, "series");

@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "mms/manufactured.hpp"
+#include "plumbline/geometry/ghosts.hpp"
+
+namespace plumb::mms {
+
+/// True for a face on which only the normal component is prescribed.
+inline bool is_roller(const FaceCondition& condition) {
+  return condition.normal == roller.normal && condition.tangential == roller.tangential;
+}
+
+/// The roller faces of a box, behind which a mirror layout has images. InputError unless the
+/// displacement is its own mirror image about each of them, u(R X) = R u(X) to rounding, and if there are
+/// none.
+template <int d>
+std::vector<Wall> mirror_walls(const Manufactured<d>& solution);
+
+}  // namespace plumb::mms
