@@ -132,7 +132,7 @@ std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simul
                    fmt::format("energy of alternating motion, alpha = {:g}", scene.hourglass->alpha),
                    "THEORY (12.1), (12.2)"});
   if (scene.projection)
-    all.push_back({"projection", "the force loses its torque by the least change", "THEORY (8.8)"});
+    all.push_back({"projection", "the force loses its torque by the least change", "THEORY (5.4)-(5.6)"});
   all.push_back(about("integrator", std::string(simulation.stepper.name),
                       fmt::format("{} evaluation{} a step", simulation.stepper.evaluations_per_step,
                                   simulation.stepper.evaluations_per_step > 1 ? "s" : "")));
