@@ -39,7 +39,7 @@ std::string page_text() {
 class InBrowser : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    if (!Browser::installed()) GTEST_SKIP() << "chromium or pdftotext is not installed";
+    if (!Browser::installed()) FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
   }
 };
 
