@@ -62,22 +62,6 @@ Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacin
   return scene;
 }
 
-template <int d>
-Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
-  if constexpr (d == 2) {
-    const Domain<d>& domain = solution.domain;
-    if (domain.shape == Domain<d>::Shape::annulus) {
-      if (study.body.layout != Layout::node)
-        return make_simulation<d>(scene, clipped_cloud(domain.inner, domain.outer, spacing));
-      Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
-      const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
-      return make_simulation<d>(scene, std::move(polar), std::optional(surface));
-    }
-  }
-  return make_simulation<d>(scene);
-}
-
 }  // namespace
 
 bool wants_gauss(const Study& study) {
@@ -103,16 +87,33 @@ Manufactured<d> solution_of(const Study& study) {
 
 template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time) {
-  return [motion_at = solution.motion, time](const Vec<d>& X) -> PointValue<d> {
-    const Motion<d> motion = motion_at(X, time);
-    return {motion.displacement, motion.F - Mat<d>::Identity()};
-  };
+  return
+      [motion_at = solution.motion, stress = solution.first_piola, time](const Vec<d>& X) -> PointValue<d> {
+        const Motion<d> motion = motion_at(X, time);
+        return {motion.displacement, motion.F - Mat<d>::Identity(), motion.velocity, stress(motion.F)};
+      };
+}
+
+template <int d>
+Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
+  const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
+  if constexpr (d == 2) {
+    const Domain<d>& domain = solution.domain;
+    if (domain.shape == Domain<d>::Shape::annulus) {
+      if (study.body.layout != Layout::node)
+        return make_simulation<d>(scene, clipped_cloud(domain.inner, domain.outer, spacing));
+      Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
+      const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
+      return make_simulation<d>(scene, std::move(polar), std::optional(surface));
+    }
+  }
+  return make_simulation<d>(scene);
 }
 
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           bool body_force) {
-  DrivenBody<d> body{simulation_of(study, solution, spacing), {}};
+  DrivenBody<d> body{simulation_of<d>(study, solution, spacing), {}};
   Simulation<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
                        {study.body.layout, body_force, study.held_band});
@@ -137,7 +138,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.pair_evaluations = solid.work.pair_evaluations;
   if (result.failure)
     out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
-  out.values = nodal_values(solid, simulation.state);
+  out.values = nodal_values<d>(solid, simulation.state, solution.first_piola);
   if (solid.bonds.mirror) out.walls = solid.bonds.mirror->walls;
   out.cloud = std::move(solid.cloud);
   return out;
@@ -146,8 +147,10 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
 template <int d>
 void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   StudyLevel& level = run.level;
+  level.exact = nodal_size<d>(run.cloud, exact);
+  if (wants_gauss(study)) level.exact_gauss = gauss_size<d>(run.cloud.box, exact);
   if (level.failure) {
-    level.nodal = {nan, nan, nan};
+    level.nodal = {nan, nan, nan, nan, nan};
     if (wants_gauss(study)) level.gauss = level.nodal;
     return;
   }
@@ -161,6 +164,7 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
 #define PLUMBLINE_INSTANTIATE(d)                                                             \
   template Manufactured<d> solution_of<d>(const Study&);                                     \
   template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                     \
+  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);     \
   template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool); \
   template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool);     \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);

@@ -44,7 +44,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
         "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
         std::string(name_of(result.failure->cause)), "Choose a stable scheme or a shorter time.");
   LevelRun<d> out;
-  out.values = nodal_values(simulation.solid, simulation.state);
+  out.values = nodal_values<d>(simulation.solid, simulation.state, solution.first_piola);
   out.cloud = std::move(simulation.solid.cloud);
   return out;
 }

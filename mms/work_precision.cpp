@@ -15,12 +15,8 @@ void run_once(const Study& study, WorkPoint& point, bool warm_up) {
   const Manufactured<d> solution = solution_of<d>(study);
   LevelRun<d> run = run_level<d>(study, solution, point.d, study.force == "finite-strain");
   if (warm_up) {
-    const ExactField<d> exact = exact_field<d>(solution, end_time(study)),
-                        zero = [](const Vec<d>&) { return PointValue<d>{}; };
-    measure<d>(study, exact, run);
-    NodalValues<d> size(run.values.size());
-    for (std::size_t i = 0; i < size.size(); ++i) size[i] = exact(run.cloud.X[i]);
-    point.error = run.level.nodal.l2 / nodal_norms<d>(run.cloud, size, zero).l2;
+    measure<d>(study, exact_field<d>(solution, end_time(study)), run);
+    point.error = run.level.nodal.l2 / run.level.exact.l2;
     point.failure = run.level.failure;
     point.pair_evaluations = run.level.pair_evaluations;
     point.cpu_s = point.wall_s = std::numeric_limits<double>::max();

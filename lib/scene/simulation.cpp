@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plumbline/compatible/compatible.hpp"
+#include "plumbline/compatible/consistent_force.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
 #include "plumbline/projection/angular_momentum.hpp"
@@ -140,13 +141,20 @@ StepControl step_control(const Scene& scene) {
   return control;
 }
 
+bool needs_surface(const Method& method) {
+  return method.gradient == "compatible" || method.momentum == "variational";
+}
+
+InputError unknown_surface(const std::string& what) {
+  return InputError(what + " on these particles",
+                    "the surface of their shape is not known: they do not lie on it",
+                    "use particles on the boundary (layout = \"node\") or another method");
+}
+
 template <int d>
 void make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
                         const std::optional<Surface<d>>& surface) {
-  if (!surface)
-    throw InputError("gradient = \"compatible\" on these particles",
-                     "the surface of their shape is not known: they do not lie on it",
-                     "use particles on the boundary (layout = \"node\") or another gradient");
+  if (!surface) throw unknown_surface("gradient = \"compatible\"");
   CompatibleOptions<d> how;
   if (compatible.volumes == "fixed") how.volume_weight = 0;
   how.surface = [surface](const Cloud<d>&) { return *surface; };
@@ -192,7 +200,8 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   options.pair = pair_named(scene.method.pair);
   const bool compatible = scene.method.gradient == "compatible";
   options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
-  options.momentum = momentum_form_named<d>(scene.method.momentum);
+  const bool variational = scene.method.momentum == "variational";
+  options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
   options.walls = walls_of(scene);
   if (scene.jst) {
     options.laplacian = true;
@@ -206,7 +215,7 @@ template <int d>
 Simulation<d> make_simulation(const Scene& scene) {
   Cloud<d> cloud = make_cloud<d>(scene.body);
   std::optional<Surface<d>> surface;
-  if (scene.method.gradient == "compatible") surface = box_surface(cloud);
+  if (needs_surface(scene.method)) surface = box_surface(cloud);
   return make_simulation<d>(scene, std::move(cloud), surface);
 }
 
@@ -215,6 +224,10 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::opt
   const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   if (scene.method.gradient == "compatible") make_it_compatible(options, scene.method.compatible, surface);
+  if (scene.method.momentum == "variational") {
+    if (!surface) throw unknown_surface("momentum = \"variational\"");
+    make_force_consistent(options, cloud, *surface);
+  }
   Simulation<d> simulation;
   simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
   simulation.state = make_state(simulation.solid);
