@@ -10,6 +10,7 @@
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
 #include "plumbline/projection/angular_momentum.hpp"
+#include "plumbline/scene/warnings.hpp"
 
 namespace plumb {
 namespace {
@@ -161,22 +162,16 @@ void make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
   project_compatible(options, how);
 }
 
+double damping_limit(const Scene& scene) {
+  return scene.method.integrator == "rk3" ? rk3_damping_limit : verlet_damping_limit;
+}
+
 template <int d>
 void add_jst(Simulation<d>& simulation, const Scene& scene) {
   const JstOptions options{scene.jst->eta2, scene.jst->eta4};
   add_term(simulation.solid, jst_term(simulation.solid, options));
   if (options.eta4 == 0) return;
-  const double damping = scene.method.integrator == "rk3" ? rk3_damping_limit : verlet_damping_limit;
-  simulation.solid.step_limit = jst_step_limit(simulation.solid, options, damping);
-  const double wanted = time_step(simulation.solid, simulation.state, simulation.control);
-  const double unlimited =
-      simulation.control.cfl * simulation.solid.cloud.spacing / simulation.solid.elastic.wave_speed();
-  if (!simulation.control.fixed_step && wanted < unlimited * (1 - 1e-9))
-    simulation.warnings.push_back(
-        fmt::format("JST limits the time step to {:.6g} s, {:.3g} of what cfl = {:g} asks for (eta4 beta^3 "
-                    "Lambda is above the "
-                    "integrator's damping limit {:g})",
-                    wanted, wanted / unlimited, simulation.control.cfl, damping));
+  simulation.solid.step_limit = jst_step_limit(simulation.solid, options, damping_limit(scene));
 }
 
 }  // namespace
@@ -240,7 +235,12 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::opt
     add_term(simulation.solid, hourglass_term(simulation.solid, options.kernel, scene.hourglass->alpha));
   if (scene.projection) add_term(simulation.solid, angular_momentum_projection(simulation.solid));
   refuse_contradictions<d>(simulation.solid.cloud, simulation.supports);
-  require_progress(time_step(simulation.solid, simulation.state, simulation.control), scene);
+  const double step = time_step(simulation.solid, simulation.state, simulation.control);
+  require_progress(step, scene);
+  simulation.warnings =
+      warnings_of<d>(scene, simulation.solid,
+                     {step, crossing_time(simulation.solid, simulation.state, simulation.control.wave_speed),
+                      damping_limit(scene)});
   if (!simulation.supports.empty())
     add_term(simulation.solid, support_term(simulation.solid, simulation.supports));
   simulation.stepper = stepper_named<d>(scene.method.integrator, simulation.solid);

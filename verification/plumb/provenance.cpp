@@ -17,6 +17,10 @@ std::string version() {
   return PLUMB_VERSION;
 }
 
+std::string commit_date() {
+  return PLUMB_COMMIT_DATE;
+}
+
 std::string version_text() {
   return fmt::format("plumb {} (commit {}, {} build, {}, {})", PLUMB_VERSION, PLUMB_COMMIT, PLUMB_BUILD_TYPE,
                      PLUMB_COMPILER, PLUMB_FLAGS);

@@ -7,6 +7,9 @@ namespace plumb {
 /// The version, "0.1.0".
 std::string version();
 
+/// The day of the commit, "2026-11-25"; empty if it is not known.
+std::string commit_date();
+
 /// What --version prints: version, commit and build.
 std::string version_text();
 

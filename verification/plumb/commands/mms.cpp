@@ -138,7 +138,7 @@ void add_mms(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MmsOptions>();
   CLI::App& command = add_command(program, session,
                                   {"mms", "convergence study with a manufactured solution",
-                                   "plumb mms verification/studies/swinging_plate.toml --json -"},
+                                   "plumb mms --check swinging-plate --points 100"},
                                   {.table = true, .plot = true},
                                   [&session, options] { return mms_action(session, *options); });
   command.add_option("study", options->studies, "study file (TOML); several with --work-precision");
