@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
@@ -80,6 +81,38 @@ Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution,
 
 }  // namespace
 
+Sitting::Json json_of(const StudyLevel& level) {
+  const auto norms = [](const ErrorNorms& e) { return Sitting::Json{e.l2, e.h1, e.linf}; };
+  return {{"n", level.n},
+          {"d", level.d},
+          {"dt", level.dt},
+          {"steps", level.steps},
+          {"nodal", norms(level.nodal)},
+          {"gauss", level.gauss ? norms(*level.gauss) : Sitting::Json()},
+          {"cpu_s", level.cpu_s},
+          {"wall_s", level.wall_s},
+          {"pair_evaluations", level.pair_evaluations},
+          {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()}};
+}
+
+StudyLevel level_of(const Sitting::Json& part) {
+  const auto norms = [](const Sitting::Json& e) {
+    return ErrorNorms{number_or_nan(e[0]), number_or_nan(e[1]), number_or_nan(e[2])};
+  };
+  StudyLevel level;
+  level.n = part["n"];
+  level.d = part["d"];
+  level.dt = part["dt"];
+  level.steps = part["steps"];
+  level.nodal = norms(part["nodal"]);
+  if (!part["gauss"].is_null()) level.gauss = norms(part["gauss"]);
+  level.cpu_s = part["cpu_s"];
+  level.wall_s = part["wall_s"];
+  level.pair_evaluations = part["pair_evaluations"];
+  if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
+  return level;
+}
+
 bool wants_gauss(const Study& study) {
   return study.quadrature != "nodal";
 }
@@ -120,7 +153,8 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
 }
 
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force) {
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
+                      Sitting& sitting) {
   DrivenBody<d> body = driven_body(study, solution, spacing, body_force);
   Simulation<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
@@ -129,7 +163,8 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.d = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
-  const RunResult result = run(solid, simulation.state, body.stepper, simulation.control);
+  const RunResult result = run<d>(solid, simulation.state, body.stepper, simulation.control,
+                                  [&](const Solid<d>&, const State<d>&) { return sitting.check(), true; });
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;
@@ -158,11 +193,11 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                             \
-  template Manufactured<d> solution_of<d>(const Study&);                                     \
-  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                     \
-  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool); \
-  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool);     \
+#define PLUMBLINE_INSTANTIATE(d)                                                                   \
+  template Manufactured<d> solution_of<d>(const Study&);                                           \
+  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                           \
+  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool);       \
+  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&); \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
