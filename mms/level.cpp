@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
@@ -62,7 +63,51 @@ Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacin
   return scene;
 }
 
+Sitting::Json json_of(const ErrorNorms& norms) {
+  Sitting::Json part;
+  for (const NormName& norm : norm_names) part[std::string(norm.name)] = norms.*norm.value;
+  return part;
+}
+
+ErrorNorms norms_of(const Sitting::Json& part) {
+  ErrorNorms norms;
+  for (const NormName& norm : norm_names) norms.*norm.value = number_or_nan(part[std::string(norm.name)]);
+  return norms;
+}
+
 }  // namespace
+
+Sitting::Json json_of(const StudyLevel& level) {
+  return {{"n", level.n},
+          {"d", level.d},
+          {"dt", level.dt},
+          {"steps", level.steps},
+          {"nodal", json_of(level.nodal)},
+          {"gauss", level.gauss ? json_of(*level.gauss) : Sitting::Json()},
+          {"exact", json_of(level.exact)},
+          {"exact_gauss", level.exact_gauss ? json_of(*level.exact_gauss) : Sitting::Json()},
+          {"cpu_s", level.cpu_s},
+          {"wall_s", level.wall_s},
+          {"pair_evaluations", level.pair_evaluations},
+          {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()}};
+}
+
+StudyLevel level_of(const Sitting::Json& part) {
+  StudyLevel level;
+  level.n = part["n"];
+  level.d = part["d"];
+  level.dt = part["dt"];
+  level.steps = part["steps"];
+  level.nodal = norms_of(part["nodal"]);
+  if (!part["gauss"].is_null()) level.gauss = norms_of(part["gauss"]);
+  level.exact = norms_of(part["exact"]);
+  if (!part["exact_gauss"].is_null()) level.exact_gauss = norms_of(part["exact_gauss"]);
+  level.cpu_s = part["cpu_s"];
+  level.wall_s = part["wall_s"];
+  level.pair_evaluations = part["pair_evaluations"];
+  if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
+  return level;
+}
 
 bool wants_gauss(const Study& study) {
   return study.quadrature != "nodal";
@@ -121,7 +166,8 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
 }
 
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force) {
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
+                      Sitting& sitting) {
   DrivenBody<d> body = driven_body(study, solution, spacing, body_force);
   Simulation<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
@@ -130,7 +176,8 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.d = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
-  const RunResult result = run(solid, simulation.state, body.stepper, simulation.control);
+  const RunResult result = run<d>(solid, simulation.state, body.stepper, simulation.control,
+                                  [&](const Solid<d>&, const State<d>&) { return sitting.check(), true; });
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;
@@ -161,12 +208,12 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                             \
-  template Manufactured<d> solution_of<d>(const Study&);                                     \
-  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                     \
-  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);     \
-  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool); \
-  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool);     \
+#define PLUMBLINE_INSTANTIATE(d)                                                                   \
+  template Manufactured<d> solution_of<d>(const Study&);                                           \
+  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                           \
+  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);           \
+  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool);       \
+  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&); \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

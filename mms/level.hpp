@@ -5,6 +5,7 @@
 
 #include "mms/manufactured.hpp"
 #include "mms/norms.hpp"
+#include "plumbline/output/sitting.hpp"
 #include "plumbline/scene/simulation.hpp"
 #include "plumbline/scene/study.hpp"
 
@@ -41,6 +42,10 @@ struct DrivenBody {
   Stepper<d> stepper;
 };
 
+/// A level as a part of a sitting, and back.
+Sitting::Json json_of(const StudyLevel& level);
+StudyLevel level_of(const Sitting::Json& part);
+
 /// Which norms a study asks for.
 bool wants_gauss(const Study& study);
 bool wants_nodal(const Study& study);
@@ -66,9 +71,10 @@ template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           bool body_force);
 
-/// Runs it to the end time; norms are left to measure().
+/// Runs it to the end time, unless the sitting ends; norms are left to measure().
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force);
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
+                      Sitting& sitting);
 
 /// The norms of a field against the exact one (NaN for a broken run), and of the exact one itself.
 template <int d>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "mms/manufactured.hpp"
 #include "plumbline/scene/simulation.hpp"
@@ -137,6 +138,33 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   return level;
 }
 
+Sitting::Json json_of(const StaticLevel& level) {
+  return {
+      {"n", level.n},
+      {"d", level.d},
+      {"l2", level.l2},
+      {"h1", level.h1},
+      {"stress_l2", level.stress_l2},
+      {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()},
+      {"frequency_error", level.frequency_error ? Sitting::Json(*level.frequency_error) : Sitting::Json()},
+      {"setup_s", level.setup_s},
+      {"solve_s", level.solve_s}};
+}
+
+StaticLevel static_level_of(const Sitting::Json& part) {
+  StaticLevel level;
+  level.n = part["n"];
+  level.d = part["d"];
+  level.l2 = number_or_nan(part["l2"]);
+  level.h1 = number_or_nan(part["h1"]);
+  level.stress_l2 = number_or_nan(part["stress_l2"]);
+  if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
+  if (!part["frequency_error"].is_null()) level.frequency_error = part["frequency_error"].get<double>();
+  level.setup_s = part["setup_s"];
+  level.solve_s = part["solve_s"];
+  return level;
+}
+
 StudyFit fit_of(const std::string& norm, const std::vector<Level>& errors, std::optional<double> declared,
                 double floor) {
   StudyFit out;
@@ -150,7 +178,7 @@ StudyFit fit_of(const std::string& norm, const std::vector<Level>& errors, std::
 }
 
 template <int d>
-StaticResult run_in(const Study& study, const StudyProgress& progress) {
+StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
   const auto solution = manufactured<d>(study.solution, study.parameters, elastic, study.material.model);
   if (solution.domain.shape != Domain<d>::Shape::box || study.body.layout != Layout::node)
@@ -159,7 +187,8 @@ StaticResult run_in(const Study& study, const StudyProgress& progress) {
   StaticResult result;
   std::vector<Level> l2, h1, stress, frequency;
   for (const double spacing : study.spacings) {
-    const StaticLevel level = run_level<d>(study, solution, spacing);
+    const StaticLevel level = static_level_of(sitting.part(
+        fmt::format("level {}", spacing), [&] { return json_of(run_level<d>(study, solution, spacing)); }));
     l2.push_back({spacing, level.l2});
     h1.push_back({spacing, level.h1});
     stress.push_back({spacing, level.stress_l2});
@@ -179,9 +208,9 @@ StaticResult run_in(const Study& study, const StudyProgress& progress) {
 
 }  // namespace
 
-StaticResult run_static_study(const Study& study, const StudyProgress& progress) {
-  if (study.dimension() == 2) return run_in<2>(study, progress);
-  if (study.dimension() == 3) return run_in<3>(study, progress);
+StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
+  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
   throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }

@@ -30,7 +30,13 @@ struct StaticResult {
 /// whole surface of the box, -Div P inside, one linear solution with the stiffness assembled from the bond
 /// table. And the vibration next to the solution's, with the solution's own conditions on the faces. Linear,
 /// so the amplitude should be small: it is the relative modelling error. Node layout only; throws InputError
-/// otherwise. Expect::l2, h1 and stress_l2 are the declared orders.
-StaticResult run_static_study(const Study& study, const StudyProgress& progress = {});
+/// otherwise. Expect::l2, h1 and stress_l2 are the declared orders. Each level is a part of the sitting; throws
+/// SittingEnded if that ends, after the level at hand.
+StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
+/// The same in one sitting.
+inline StaticResult run_static_study(const Study& study, const StudyProgress& progress = {}) {
+  Sitting whole;
+  return run_static_study(study, progress, whole);
+}
 
 }  // namespace plumb::mms

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "mms/level.hpp"
 
@@ -54,46 +55,58 @@ double work_of(const Study& study, double spacing) {
 /// Difference to the run with the finite-strain body force; zero where that is the run itself, or where one
 /// broke.
 template <int d>
-LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution, const LevelRun<d>& run) {
+LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution, const LevelRun<d>& run,
+                            Sitting& sitting) {
   LevelRun<d> out = run;
   out.level.failure.reset();
   out.values.assign(run.values.size(), PointValue<d>{});
   if (study.force == "finite-strain" || run.level.failure) return out;
-  const LevelRun<d> loaded = run_level<d>(study, solution, run.level.d, true);
+  const LevelRun<d> loaded = run_level<d>(study, solution, run.level.d, true, sitting);
   if (!loaded.level.failure) out.values = difference<d>(run.values, loaded.values);
   return out;
 }
 
+/// A level, and with `with_floor` also the norms of the modelling error there.
 template <int d>
-StudyResult run_in(const Study& study, const StudyProgress& progress) {
+Sitting::Json make_level(const Study& study, const Manufactured<d>& solution, double spacing, bool with_floor,
+                         Sitting& sitting) {
+  LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
+  measure<d>(study, exact_field<d>(solution, end_time(study)), run);
+  Sitting::Json made{{"level", json_of(run.level)}};
+  if (!with_floor) return made;
+  LevelRun<d> floor = modelling_error<d>(study, solution, run, sitting);
+  measure<d>(study, [](const Vec<d>&) { return PointValue<d>{}; }, floor);
+  made["floor"] = json_of(floor.level);
+  return made;
+}
+
+template <int d>
+StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  const ExactField<d> exact = exact_field<d>(solution, end_time(study));
-  const ExactField<d> zero = [](const Vec<d>&) { return PointValue<d>{}; };
   const bool loaded = study.force == "finite-strain";
   double total = 0, done = 0;
   for (const double spacing : study.spacings) total += work_of(study, spacing);
 
   StudyResult result;
-  LevelRun<d> floor;  // the modelling error
+  StudyLevel floor;  // norms of the modelling error
   const std::size_t floor_level = std::min<std::size_t>(1, study.spacings.size() - 1);
   for (const double spacing : study.spacings) {
-    LevelRun<d> run = run_level<d>(study, solution, spacing, loaded);
-    measure<d>(study, exact, run);
-    if (result.levels.size() == floor_level) {
-      floor = modelling_error<d>(study, solution, run);
-      measure<d>(study, zero, floor);
-    }
-    result.levels.push_back(run.level);
+    const bool with_floor = result.levels.size() == floor_level;
+    const auto part = sitting.part(fmt::format("level {}", spacing), [&] {
+      return make_level<d>(study, solution, spacing, with_floor, sitting);
+    });
+    if (with_floor) floor = level_of(part["floor"]);
+    result.levels.push_back(level_of(part["level"]));
     done += work_of(study, spacing);
     if (progress) progress(done / total, fmt::format("d = {:g} m", spacing));
   }
   for (const std::string& norm : norms_of(study))
-    result.fits.push_back(fit_norm(study, norm, result.levels, floor.level));
+    result.fits.push_back(fit_norm(study, norm, result.levels, floor));
   if (!loaded)
     result.notes.push_back(
         fmt::format("modelling floor (finite against small strain, measured at d = {:g} m): L2 {:.3g}, "
                     "H1 {:.3g}; levels below ten times that are not fitted",
-                    floor.level.d, floor.level.nodal.l2, floor.level.nodal.h1));
+                    floor.d, floor.nodal.l2, floor.nodal.h1));
   for (const StudyLevel& level : result.levels)
     if (level.failure)
       result.notes.push_back(fmt::format("d = {:g} m: unstable, {}", level.d, *level.failure));
@@ -130,9 +143,9 @@ double size_of(const StudyLevel& level, const std::string& norm) {
   return value_of(level.exact, level.exact_gauss, norm);
 }
 
-StudyResult run_study(const Study& study, const StudyProgress& progress) {
-  if (study.dimension() == 2) return run_in<2>(study, progress);
-  if (study.dimension() == 3) return run_in<3>(study, progress);
+StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
+  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
   throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }

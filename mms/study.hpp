@@ -30,8 +30,14 @@ using StudyProgress = std::function<void(double fraction, const std::string& not
 
 /// Runs every level and judges the orders. With force = "none" the difference to the run with the
 /// finite-strain body force is measured on the second level: it is the modelling floor, which no refinement
-/// reduces. Throws InputError if the solution does not fit the study (dimension, parameters, box).
-StudyResult run_study(const Study& study, const StudyProgress& progress = {});
+/// reduces. Each level is a part of the sitting. Throws InputError if the solution does not fit the study
+/// (dimension, parameters, box), SittingEnded if the sitting ends.
+StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
+/// The same in one sitting.
+inline StudyResult run_study(const Study& study, const StudyProgress& progress = {}) {
+  Sitting whole;
+  return run_study(study, progress, whole);
+}
 
 /// Status of a study from its fits, as in StudyResult.
 std::string status_of(const std::vector<StudyFit>& fits);

@@ -12,6 +12,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/data_folder.hpp"
 #include "plumb/provenance.hpp"
+#include "plumb/run/interrupt.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
 
@@ -34,6 +35,8 @@ int report(const Session& session, reports::ReportOptions options) {
                    {"made", entry("date").get<std::string>()}};
   Progress progress("report", session.progress());
   options.progress = [&progress](double fraction, const std::string& job) { progress.update(fraction, job); };
+  const InterruptGuard guard;
+  options.go_on = [] { return !interrupted(); };
   const auto summary = reports::make_report(options);
   progress.finish();
   Json verdicts = Json::object();
