@@ -27,9 +27,8 @@ Section write(const Results& results) {
   for (const auto& row : result.at("rows")) table.rows.push_back({text(row, "what"), text(row, "message")});
   s.tables = {std::move(table)};
   s.notes = {
-      "Each is one change to a good scene or study, or a command line; nothing is computed or written, and "
-      "the exit "
-      "code is 2."};
+      "Each is one change to a good scene or study, or a command line. A command line that ends with "
+      "another exit code than 2 counts as another message."};
   return s;
 }
 
