@@ -75,12 +75,16 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair("WorkPrecision",
                   "mms --work-precision " + plate +
                       " --vary method.integrator=rk3,verlet --set study.spacings=[0.2,0.1,0.05]"),
-        std::pair("Static", "static " + root +
-                                "/verification/studies/static_plate.toml --set "
-                                "study.spacings=[0.1,0.08,0.0625,0.05,0.04] --set method.gradient=improved"),
-        std::pair("Line",
-                  std::string("oned study --n 20000,40000,80000,160000 --estimator standard,improved,bond "
-                              "--radius-over-dx 4")),
+        std::pair(
+            "Static",
+            "static " + root +
+                "/verification/studies/static_plate.toml --set "
+                "study.spacings=[0.1,0.08,0.0625,0.05,0.04,0.03125,0.025] --set method.gradient=improved"),
+        std::pair(
+            "Line",
+            std::string(
+                "oned study --n 40000,80000,160000,320000,640000,1280000 --estimator standard,improved,bond "
+                "--radius-over-dx 4")),
         std::pair("Bench", std::string("bench --n 1000,8000 --repeats 1 --seconds 0.1"))),
     [](const auto& test) { return std::string(test.param.first); });
 
