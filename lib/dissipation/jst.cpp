@@ -84,6 +84,18 @@ struct Arrays {
   Field second;  ///< lap' v, only for eta2
 };
 
+/// v read, lap v written and read, with eta2 v read and lap' v written and read; the tables of rows of their
+/// own.
+template <int d>
+double bytes_moved(const Solid<d>& solid, bool second) {
+  const int laplacians = second ? 3 : 2;
+  double bytes = sizeof(double) * d * (second ? 6.0 : 3.0);
+  if (solid.bonds.width == 1)
+    bytes += laplacians * (sizeof(double) + sizeof(std::int32_t)) * static_cast<double>(solid.bonds.pairs) /
+             static_cast<double>(solid.cloud.size());
+  return bytes;
+}
+
 }  // namespace
 
 template <int d>
@@ -97,6 +109,7 @@ Term<d> jst_term(const Solid<d>& solid, const JstOptions& options) {
   Term<d> term;
   term.name = "jst";
   term.bytes = arrays->inner.bytes() + arrays->second.bytes();
+  term.bytes_per_update = bytes_moved(solid, options.eta2 != 0);
   term.first = [arrays, second](const Solid<d>& body, const Block& block, const State<d>& state, double) {
     store_laplacian<d>(body.bonds, false, state.v, block, arrays->inner);
     if (second != 0) store_laplacian<d>(body.bonds, true, state.v, block, arrays->second);

@@ -142,6 +142,10 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
   for (Index k = 0; k < static_cast<Index>(rows.size()); ++k)
     rows[k] = slot_row<d>(kinds.representative[k], seen, neighbourhoods, bonds, options);
   pack(table, rows, rows_of_slots(seen, kinds, table), options);
+  for (auto* values :
+       {&table.separation, &table.stencil, &table.force, &table.laplacian, &table.outer_laplacian})
+    values->shrink_to_fit();  // of a cloud with a row per particle these are most of the memory
+  table.offset.shrink_to_fit();
   return table;
 }
 

@@ -242,13 +242,17 @@ std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation) {
        solid.cloud.X.size() * sizeof(Vec<d>) + solid.cloud.V.size() * sizeof(double)},
       {"volumes per slot", solid.volume.size() * sizeof(double)},
       {"bond table", solid.bonds.bytes()},
+      {"bond table, in the order of the loops", solid.sweeps.bytes},
       {"displacement", simulation.state.u.bytes()},
       {"velocity", simulation.state.v.bytes()},
-      {"first Piola-Kirchhoff stress", solid.P.bytes()},
+      {"first Piola-Kirchhoff stress, a window", solid.P.bytes()},
       {"integrator " + std::string(simulation.stepper.name), simulation.stepper.bytes}};
   if (solid.F.components()) arrays.push_back({"deformation gradient", solid.F.bytes()});
   if (solid.stored_force.components()) arrays.push_back({"force", solid.stored_force.bytes()});
   for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
+  if (follows_closest_pairs(simulation.control))
+    arrays.push_back({"closest pairs, for the time step", closest_pairs_bytes(solid)});
+  std::erase_if(arrays, [](const ArrayEntry& entry) { return entry.bytes == 0; });
   return arrays;
 }
 

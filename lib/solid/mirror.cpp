@@ -3,6 +3,23 @@
 namespace plumb {
 namespace {
 
+/// The force per unit volume that images exert on one pack, in f: P_i s_i + sum R P_j R a_ij.
+template <int d, int W>
+void image_force(const MirrorBonds<d>& bonds, Index row, const StressWindow& P, Index pack, Pack<W>* f) {
+  using Real = Pack<W>;
+  const Index i = pack * W;
+  for (int a = 0; a < d; ++a) {
+    f[a] = Real(0);
+    for (int b = 0; b < d; ++b)
+      f[a] += P.load<W>(a * d + b, i) * Real::load(bonds.own_force.data() + (row * d + b) * W);
+  }
+  for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n)
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b)
+        f[a] += Real(bonds.signs[n][a] * bonds.signs[n][b]) * P.load<W>(a * d + b, i + bonds.offset[n]) *
+                Real::load(bonds.force.data() + (n * d + b) * W);
+}
+
 template <int d, int W>
 void add_image_forces(const Solid<d>& solid, const Block& block, BlockForce<d>& force) {
   const MirrorBonds<d>& images = *solid.bonds.mirror;
