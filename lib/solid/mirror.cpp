@@ -32,6 +32,16 @@ void add_image_forces(const Solid<d>& solid, const Block& block, BlockForce<d>& 
   }
 }
 
+/// The bonds to images of rows of their own: constants, signs and offsets, for F and for the force.
+template <int d>
+double bytes_moved(const Solid<d>& solid) {
+  if (solid.bonds.width > 1) return 0;
+  constexpr double real = sizeof(double), offset = sizeof(std::int32_t);
+  const double per_image = 2 * (2 * real * d + offset);
+  return per_image * static_cast<double>(solid.bonds.mirror->offset.size()) /
+         static_cast<double>(solid.cloud.size());
+}
+
 }  // namespace
 
 template <int d>
@@ -39,6 +49,7 @@ Term<d> mirror_term(const Solid<d>& solid) {
   Term<d> term;
   term.name = "mirror";
   term.bytes = solid.bonds.mirror->bytes();
+  term.bytes_per_update = bytes_moved(solid);
   term.internal = true;
   term.second = solid.bonds.width == 1
                     ? [](const Solid<d>& body, const Block& block, const State<d>&, double,

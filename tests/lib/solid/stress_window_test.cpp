@@ -48,8 +48,9 @@ class Memory {
   void expect_alive(Index block) {
     ++forces_;
     for (Index b = block - shape_.reach; b <= block + shape_.reach; ++b)
-      if (b >= 0 && b < shape_.blocks)
+      if (b >= 0 && b < shape_.blocks) {
         EXPECT_EQ(standing_[place(b)], b) << "for the force of block " << block;
+      }
   }
 
   Shape shape_;

@@ -86,7 +86,9 @@ TEST(Step, ThatFailsLeavesTheStateBeforeIt) {
       const Stepper<3> stepper = stepper_named<3>(integrator, solid);
       const double spacing = solid.cloud.spacing, dt = 1e-7;
       const Index last = solid.bonds.slots.of(solid.cloud.size() - 1);
-      if (integrator == "verlet") ASSERT_TRUE(stepper.step(solid, state, dt));
+      if (integrator == "verlet") {
+        ASSERT_TRUE(stepper.step(solid, state, dt));
+      }
       if (at_once)
         state.u[0][last] -= 3 * spacing;  // through its neighbours
       else
