@@ -58,6 +58,7 @@ std::vector<Support<d>> make_supports(const Cloud<d>& cloud, const Scene& scene)
       if (boundary.kind == BoundaryKind::velocity) velocity = evaluate_at<d>(boundary.velocity, cloud.X[i]);
       for (int k = 0; k < d; ++k) supports.push_back({i, k, velocity[k]});
     }
+  supports.shrink_to_fit();
   return supports;
 }
 
@@ -250,6 +251,7 @@ std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation) {
   if (solid.F.components()) arrays.push_back({"deformation gradient", solid.F.bytes()});
   if (solid.stored_force.components()) arrays.push_back({"force", solid.stored_force.bytes()});
   for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
+  arrays.push_back({"prescribed velocities", simulation.supports.size() * sizeof(Support<d>)});
   if (follows_closest_pairs(simulation.control))
     arrays.push_back({"closest pairs, for the time step", closest_pairs_bytes(solid)});
   std::erase_if(arrays, [](const ArrayEntry& entry) { return entry.bytes == 0; });

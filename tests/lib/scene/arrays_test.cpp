@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                {}},
         Wanted{"Clamped",
                "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n",
-               {"integrator verlet", loops, closest, "supports"},
+               {"integrator verlet", loops, closest, "supports", "prescribed velocities"},
                {}},
         Wanted{"Jittered", "", {"integrator verlet", closest}, {"body.jitter=0.2"}}),
     [](const auto& scene) { return scene.param.name; });
