@@ -24,8 +24,9 @@ TEST(Bench, HoldsWholeRunsAgainstTheMachine) {
   EXPECT_EQ(result["machine"]["by_threads"].size(), 2U);
   ASSERT_EQ(result["rows"].size(), 8U);
   for (const json& row : result["rows"]) {
-    for (const char* key : {"case", "dimension", "n", "threads", "updates_per_cpu_s", "updates_per_wall_s",
-                            "bytes_per_particle", "fraction_of_fma", "fraction_of_triad"})
+    for (const char* key :
+         {"case", "dimension", "n", "threads", "updates_per_cpu_s", "updates_per_wall_s", "setup_cpu_s",
+          "setup_wall_s", "bytes_per_particle", "fraction_of_fma", "fraction_of_triad"})
       EXPECT_TRUE(row.contains(key)) << key;
     EXPECT_GT(row["updates_per_cpu_s"].get<double>(), 0);
     // THEORY (10.8) on shared rows. Adjoint, Verlet: 8 (3 + 2 9 + 3 8); paper: 8 (2 + 2 4 + 2 6) and JST 24 2
@@ -33,6 +34,7 @@ TEST(Bench, HoldsWholeRunsAgainstTheMachine) {
   }
   EXPECT_EQ(result["rows"][0]["n"], 1000);
   EXPECT_EQ(result["exponents"].size(), 2U);
+  EXPECT_EQ(result["setup_exponents"].size(), 2U);
   EXPECT_EQ(result["speed_ups"].size(), 4U);
 }
 

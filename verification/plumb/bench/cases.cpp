@@ -44,9 +44,9 @@ constexpr std::array<Scheme, 7> schemes = {{
     {"standard-verlet", false, [](Scene& scene) { scene.method.gradient = "standard"; }},
     {"compatible-verlet", false, [](Scene& scene) { scene.method.gradient = "compatible"; }},
 }};
-/// Set-up of compatible bonds grows faster than N: half a minute each at these sizes.
 /// A row per particle takes 7 GB at 10^6 while it is set up.
 constexpr long most_jittered = 1000000;
+/// Set-up of compatible bonds grows faster than N: half a minute each at these sizes.
 constexpr long most_compatible_2d = 10000, most_compatible_3d = 1000;
 
 Case case_of(const Scheme& scheme, int dimension, bool jittered) {
@@ -90,6 +90,7 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
   Simulation<d> simulation = make_simulation<d>(scene);
   Speed speed;
   speed.setup_cpu_s = setup.cpu_s();
+  speed.setup_wall_s = setup.wall_s();
   set_in_motion(simulation);
   Solid<d>& solid = simulation.solid;
   speed.particles = solid.cloud.size();

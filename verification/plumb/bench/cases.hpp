@@ -23,7 +23,7 @@ struct Speed {
   int threads = 1;
   double updates_per_cpu_s = 0;  ///< evaluations of stress and force for one particle; best of the repeats
   double updates_per_wall_s = 0;
-  double setup_cpu_s = 0;
+  double setup_cpu_s = 0, setup_wall_s = 0;
   double bytes_per_particle = 0;  ///< of the arrays that `plumb explain` lists
   double bytes_per_update = 0;    ///< that it reads and writes, THEORY (10.8)
   double flops_per_update = 0;  ///< of the plain sums: 2 d^2 products for F and for the force, d differences

@@ -72,6 +72,7 @@ Json row_of(const bench::Case& c, const bench::Speed& s, const bench::Machine& m
           {"updates_per_cpu_s", s.updates_per_cpu_s},
           {"updates_per_wall_s", s.updates_per_wall_s},
           {"setup_cpu_s", s.setup_cpu_s},
+          {"setup_wall_s", s.setup_wall_s},
           {"bytes_per_particle", s.bytes_per_particle},
           {"bytes_per_update", s.bytes_per_update},
           {"flops_per_update", s.flops_per_update},
@@ -93,8 +94,16 @@ Json speed_ups_of(const Json& rows) {
   return result;
 }
 
-/// Slope of log(CPU time per step) over log(N), by case, where there are two sizes or more on one thread.
-Json exponents_of(const Json& rows) {
+/// CPU time of one evaluation for all particles [s].
+double of_an_evaluation(const Json& row) {
+  return row["n"].get<double>() / row["updates_per_cpu_s"].get<double>();
+}
+double of_the_setup(const Json& row) {
+  return row["setup_cpu_s"].get<double>();
+}
+
+/// Slope of log(cost) over log(N), by case, where there are two sizes or more on one thread.
+Json exponents_of(const Json& rows, double (*cost)(const Json& row)) {
   struct Sums {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   };
@@ -102,8 +111,7 @@ Json exponents_of(const Json& rows) {
   for (const auto& row : rows) {
     if (row["threads"] != 1) continue;
     auto& s = by_case[row["case"].get<std::string>()];
-    const double x = std::log(row["n"].get<double>());
-    const double y = x - std::log(row["updates_per_cpu_s"].get<double>());
+    const double x = std::log(row["n"].get<double>()), y = std::log(cost(row));
     s.n += 1, s.x += x, s.y += y, s.xx += x * x, s.xy += x * y;
   }
   Json result = Json::object();
@@ -153,14 +161,19 @@ int run_bench(const Session& session, BenchCommand command) {
     session.text() << threads << (threads == 1 ? " core: " : " cores: ") << m.fma_gflops
                    << " GFLOP/s in fused multiply-adds, " << m.triad_gbs << " GB/s in the triad\n";
   session.write_table(rows);
-  const Json exponents = exponents_of(rows), speed_ups = speed_ups_of(rows);
+  const Json exponents = exponents_of(rows, of_an_evaluation), of_setup = exponents_of(rows, of_the_setup),
+             speed_ups = speed_ups_of(rows);
   for (const auto& [name, exponent] : exponents.items())
-    session.text() << name << ": cost per step grows as N^" << exponent.get<double>() << '\n';
+    session.text() << name << ": a step costs as N^" << exponent.get<double>() << ", its set-up as N^"
+                   << of_setup[name].get<double>() << '\n';
   for (const auto& s : speed_ups)
     session.text() << s["case"].get<std::string>() << ", N = " << s["n"] << ": " << s["threads"]
                    << " threads are " << s["speed_up"].get<double>() << " times as fast as one\n";
-  session.write_json(
-      {{"machine", json_of(machines)}, {"rows", rows}, {"exponents", exponents}, {"speed_ups", speed_ups}});
+  session.write_json({{"machine", json_of(machines)},
+                      {"rows", rows},
+                      {"exponents", exponents},
+                      {"setup_exponents", of_setup},
+                      {"speed_ups", speed_ups}});
   return 0;
 }
 
