@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,7 +9,9 @@
 #include "plumb/bench/cases.hpp"
 #include "plumb/bench/kernels.hpp"
 #include "plumb/bench/machine.hpp"
+#include "plumb/bench/results.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
 
@@ -24,6 +27,7 @@ struct BenchCommand {
   int repeats = 3;
   double seconds = 0.2;
   bool all = false, full = false, kernels = false;
+  SittingOptions sitting;
 };
 
 std::vector<bench::Case> chosen(const BenchCommand& command) {
@@ -44,82 +48,13 @@ std::vector<bench::Case> chosen(const BenchCommand& command) {
 }
 
 /// Limits by number of threads; that of one core is always there.
-std::map<int, bench::Machine> machines_of(const BenchCommand& command) {
-  std::map<int, bench::Machine> machines{{1, bench::measure_machine(1)}};
+using Machines = std::map<int, bench::Machine>;
+
+Machines machines_of(const BenchCommand& command) {
+  Machines machines{{1, bench::measure_machine(1)}};
   for (const int threads : command.threads)
     if (!machines.count(threads)) machines[threads] = bench::measure_machine(threads);
   return machines;
-}
-
-Json json_of(const std::map<int, bench::Machine>& machines) {
-  const bench::Machine& one = machines.at(1);
-  Json all = Json::array();
-  for (const auto& [threads, m] : machines)
-    all.push_back({{"threads", threads},
-                   {"fma_gflops", m.fma_gflops},
-                   {"triad_gbs", m.triad_gbs},
-                   {"fma_speed_up", m.fma_gflops / one.fma_gflops},
-                   {"triad_speed_up", m.triad_gbs / one.triad_gbs}});
-  return {{"fma_gflops", one.fma_gflops}, {"triad_gbs", one.triad_gbs}, {"by_threads", all}};
-}
-
-/// Shares of what as many cores can do, both in wall time.
-Json row_of(const bench::Case& c, const bench::Speed& s, const bench::Machine& machine) {
-  return {{"case", c.name},
-          {"dimension", c.scene.dimension},
-          {"n", s.particles},
-          {"threads", s.threads},
-          {"updates_per_cpu_s", s.updates_per_cpu_s},
-          {"updates_per_wall_s", s.updates_per_wall_s},
-          {"setup_cpu_s", s.setup_cpu_s},
-          {"setup_wall_s", s.setup_wall_s},
-          {"bytes_per_particle", s.bytes_per_particle},
-          {"bytes_per_update", s.bytes_per_update},
-          {"flops_per_update", s.flops_per_update},
-          {"fraction_of_fma", s.updates_per_wall_s * s.flops_per_update / (machine.fma_gflops * 1e9)},
-          {"fraction_of_triad", s.updates_per_wall_s * s.bytes_per_update / (machine.triad_gbs * 1e9)}};
-}
-
-/// Wall time on one thread over that on more, for every case and size that was run on both.
-Json speed_ups_of(const Json& rows) {
-  Json result = Json::array();
-  for (const auto& row : rows)
-    for (const auto& one : rows)
-      if (row["threads"] != 1 && one["threads"] == 1 && one["case"] == row["case"] && one["n"] == row["n"])
-        result.push_back({{"case", row["case"]},
-                          {"n", row["n"]},
-                          {"threads", row["threads"]},
-                          {"speed_up", row["updates_per_wall_s"].get<double>() /
-                                           one["updates_per_wall_s"].get<double>()}});
-  return result;
-}
-
-/// CPU time of one evaluation for all particles [s].
-double of_an_evaluation(const Json& row) {
-  return row["n"].get<double>() / row["updates_per_cpu_s"].get<double>();
-}
-double of_the_setup(const Json& row) {
-  return row["setup_cpu_s"].get<double>();
-}
-
-/// Slope of log(cost) over log(N), by case, where there are two sizes or more on one thread.
-Json exponents_of(const Json& rows, double (*cost)(const Json& row)) {
-  struct Sums {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  };
-  std::map<std::string, Sums> by_case;
-  for (const auto& row : rows) {
-    if (row["threads"] != 1) continue;
-    auto& s = by_case[row["case"].get<std::string>()];
-    const double x = std::log(row["n"].get<double>()), y = std::log(cost(row));
-    s.n += 1, s.x += x, s.y += y, s.xx += x * x, s.xy += x * y;
-  }
-  Json result = Json::object();
-  for (const auto& [name, s] : by_case) {
-    const double spread = s.n * s.xx - s.x * s.x;
-    if (spread > 0) result[name] = (s.n * s.xy - s.x * s.y) / spread;
-  }
-  return result;
 }
 
 int run_kernels(const Session& session, const BenchCommand& command) {
@@ -135,15 +70,10 @@ int run_kernels(const Session& session, const BenchCommand& command) {
   return 0;
 }
 
-int run_bench(const Session& session, BenchCommand command) {
-  if (command.full) {
-    command.all = true;
-    command.sizes = {1000, 8000, 64000, 1000000, 4000000};
-    command.threads = {1, 2};
-  }
-  if (command.kernels) return run_kernels(session, command);
+/// Every case at every size on every number of threads: each is a part of the sitting.
+Json measure_all(const Session& session, const BenchCommand& command, const Machines& machines,
+                 Sitting& sitting) {
   const auto all = chosen(command);
-  const auto machines = machines_of(command);
   Json rows = Json::array();
   Progress progress("bench", session.progress());
   const auto runs = static_cast<double>(all.size() * command.sizes.size() * command.threads.size());
@@ -152,28 +82,47 @@ int run_bench(const Session& session, BenchCommand command) {
     for (const long n : command.sizes)
       for (const int threads : command.threads) {
         if (c.most == 0 || n <= c.most)
-          rows.push_back(row_of(c, bench::measure(c, n, threads, command.repeats, command.seconds),
-                                machines.at(threads)));
+          rows.push_back(sitting.part(fmt::format("{}, {} particles, {} threads", c.name, n, threads), [&] {
+            return bench::row_of(c, bench::measure(c, n, threads, command.repeats, command.seconds),
+                                 machines.at(threads));
+          }));
         progress.update(++done / runs);
       }
-  progress.finish();
+  return rows;
+}
+
+void tell(std::ostream& out, const Machines& machines, const Json& result) {
   for (const auto& [threads, m] : machines)
-    session.text() << threads << (threads == 1 ? " core: " : " cores: ") << m.fma_gflops
-                   << " GFLOP/s in fused multiply-adds, " << m.triad_gbs << " GB/s in the triad\n";
+    out << threads << (threads == 1 ? " core: " : " cores: ") << m.fma_gflops
+        << " GFLOP/s in fused multiply-adds, " << m.triad_gbs << " GB/s in the triad\n";
+  for (const auto& [name, exponent] : result["exponents"].items())
+    out << name << ": a step costs as N^" << exponent.get<double>() << ", its set-up as N^"
+        << result["setup_exponents"][name].get<double>() << '\n';
+  for (const auto& s : result["speed_ups"])
+    out << s["case"].get<std::string>() << ", N = " << s["n"] << ": " << s["threads"] << " threads are "
+        << s["speed_up"].get<double>() << " times as fast as one\n";
+}
+
+int run_bench(const Session& session, BenchCommand command) {
+  if (command.full) {
+    command.all = true;
+    command.sizes = {1000, 8000, 64000, 1000000, 4000000};
+    command.threads = {1, 2};
+  }
+  if (command.kernels) return run_kernels(session, command);
+  chosen(command);  // a name that is not known is told before the machine is measured
+  const Machines machines = machines_of(command);
+  const Json rows = in_one_sitting(
+      session, command.sitting, {}, {fmt::format("bench {} {}", command.repeats, command.seconds)},
+      [&](Sitting& sitting) { return measure_all(session, command, machines, sitting); });
+  const Json result{{"machine", bench::json_of(machines)},
+                    {"rows", rows},
+                    {"exponents", bench::exponents_of(rows, bench::of_an_evaluation)},
+                    {"setup_exponents", bench::exponents_of(rows, bench::of_the_setup)},
+                    {"speed_ups", bench::speed_ups_of(rows)}};
+  tell(session.text(), machines, result);
   session.write_table(rows);
-  const Json exponents = exponents_of(rows, of_an_evaluation), of_setup = exponents_of(rows, of_the_setup),
-             speed_ups = speed_ups_of(rows);
-  for (const auto& [name, exponent] : exponents.items())
-    session.text() << name << ": a step costs as N^" << exponent.get<double>() << ", its set-up as N^"
-                   << of_setup[name].get<double>() << '\n';
-  for (const auto& s : speed_ups)
-    session.text() << s["case"].get<std::string>() << ", N = " << s["n"] << ": " << s["threads"]
-                   << " threads are " << s["speed_up"].get<double>() << " times as fast as one\n";
-  session.write_json({{"machine", json_of(machines)},
-                      {"rows", rows},
-                      {"exponents", exponents},
-                      {"setup_exponents", of_setup},
-                      {"speed_ups", speed_ups}});
+  session.write_json(result);
   return 0;
 }
 
@@ -209,6 +158,7 @@ void add_bench(CLI::App& program, Session& session) {
   command.add_option("--seconds", options->seconds, "CPU seconds per repeat, about")
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
+  add_sitting_options(command, options->sitting);
 }
 
 }  // namespace plumb
