@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mms/level.hpp"
@@ -97,10 +98,10 @@ template <int d>
 double constraint_defect(Solid<d>& solid, State<d>& state, const Domain<d>& domain) {
   Term<d> uniform;
   uniform.name = "uniform stress";
-  uniform.stress = [](const Solid<d>&, const Block& block, const State<d>&, Field& P) {
+  uniform.stress = [](const Solid<d>&, const Block& block, const State<d>&, StressWindow& P) {
     for (int a = 0; a < d; ++a)
       for (int b = 0; b < d; ++b)
-        for (Index i = block.begin(); i < block.end(); ++i) P[a * d + b][i] = a == b ? 1 : 0;
+        std::fill_n(P[a * d + b] + P.place(block.begin()), block.end() - block.begin(), a == b ? 1.0 : 0.0);
   };
   add_term(solid, uniform);
   const auto force = forces<d>(solid, state);

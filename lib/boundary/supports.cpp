@@ -33,6 +33,7 @@ Term<d> support_term(const Solid<d>& solid, std::vector<Support<d>> supports) {
     }
   };
   auto entries = std::make_shared<std::vector<Entry>>();
+  entries->reserve(supports.size());
   for (const auto& s : supports) entries->push_back({solid.bonds.slots.of(s.particle), s.component});
   std::sort(entries->begin(), entries->end());
   Term<d> term;

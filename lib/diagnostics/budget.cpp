@@ -31,10 +31,10 @@ double stress_power(const Solid<d>& solid, const Block& block, const State<d>& s
     if (solid.bonds.mirror)
       add_image_gradient<d, W>(*solid.bonds.mirror, solid.bonds.row[pack], state.v, pack, F);
     const double* identity = solid.bonds.identity.data() + solid.bonds.row[pack] * Index{d * d * W};
+    const Index place = solid.P.place(pack * W);
     Pack<W> power(0);
     for (int n = 0; n < d * d; ++n)
-      power +=
-          Pack<W>::load(solid.P[n] + pack * W) * (F(n / d, n % d) - Pack<W>::load(identity + Index{n} * W));
+      power += Pack<W>::load(solid.P[n] + place) * (F(n / d, n % d) - Pack<W>::load(identity + Index{n} * W));
     sum += power * Pack<W>::load(solid.volume.data() + pack * W);
   }
   double total = 0;
@@ -157,7 +157,8 @@ Budget<d>::Budget(Solid<d>& solid, const State<d>& state, const std::vector<doub
   }
   Term<d> power;  // the last one, so that the terms have added to the stress
   power.name = "budget";
-  power.stress = [account = account_](const Solid<d>& body, const Block& block, const State<d>& now, Field&) {
+  power.stress = [account = account_](const Solid<d>& body, const Block& block, const State<d>& now,
+                                      StressWindow&) {
     const double sum = body.bonds.width == 1 ? stress_power<d, 1>(body, block, now)
                                              : stress_power<d, native_width>(body, block, now);
     account->power[block.begin() / block_slots] = sum;

@@ -6,24 +6,24 @@
 namespace plumb {
 namespace {
 
-/// sum_j w_ij (q_j - q_i) of one block.
+/// sum_j w_ij (q_j - q_i) of one block, of q's first K components.
 /// With own weights o_i, if there are any: plus o_i q_i.
-template <int d, int W, class Store>
+template <int d, int W, int K = d, class Store>
 void laplacian_of(const BondTable<d>& bonds, const AlignedVector& weights, const AlignedVector& own_weights,
                   const Field& q, const Block& block, Store&& store) {
   using Real = Pack<W>;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
     const std::int32_t row = bonds.row[pack];
-    Real own[d], sum[d];
+    Real own[K], sum[K];
     const Real extra =
         own_weights.empty() ? Real(0) : Real::load(own_weights.data() + static_cast<Index>(row) * W);
-    for (int k = 0; k < d; ++k) own[k] = Real::load(q[k] + i), sum[k] = extra * own[k];
+    for (int k = 0; k < K; ++k) own[k] = Real::load(q[k] + i), sum[k] = extra * own[k];
     for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n) {
       const Real w = Real::load(weights.data() + n * W);
-      for (int k = 0; k < d; ++k) sum[k] += w * (Real::load(q[k] + i + bonds.offset[n]) - own[k]);
+      for (int k = 0; k < K; ++k) sum[k] += w * (Real::load(q[k] + i + bonds.offset[n]) - own[k]);
     }
-    for (int k = 0; k < d; ++k) store(k, i, sum[k]);
+    for (int k = 0; k < K; ++k) store(k, i, sum[k]);
   }
 }
 
@@ -52,14 +52,15 @@ void with_width(const BondTable<d>& bonds, F&& f) {
     f(std::integral_constant<int, native_width>{});
 }
 
-/// to = lap q (or lap' q) of one block.
-template <int d>
+/// to = lap q (or lap' q) of one block, of the first K components; with images of all of them.
+template <int d, int K = d>
 void store_laplacian(const BondTable<d>& bonds, bool outer, const Field& q, const Block& block, Field& to) {
   const AlignedVector none;
   with_width(bonds, [&]<int W>(std::integral_constant<int, W>) {
-    laplacian_of<d, W>(bonds, outer ? bonds.outer_laplacian : bonds.laplacian, outer ? bonds.own_outer : none,
-                       q, block, [&](int k, Index i, Pack<W> sum) { sum.store(to[k] + i); });
-    if (bonds.mirror)
+    laplacian_of<d, W, K>(bonds, outer ? bonds.outer_laplacian : bonds.laplacian,
+                          outer ? bonds.own_outer : none, q, block,
+                          [&](int k, Index i, Pack<W> sum) { sum.store(to[k] + i); });
+    if (K == d && bonds.mirror)
       images_laplacian_of<d, W>(bonds, outer, q, block, [&](int k, Index i, Pack<W> part) {
         (Pack<W>::load(to[k] + i) + part).store(to[k] + i);
       });
@@ -84,6 +85,51 @@ struct Arrays {
   Field second;  ///< lap' v, only for eta2
 };
 
+/// v read, lap v written and read, with eta2 v read and lap' v written and read; the tables of rows of their
+/// own.
+template <int d>
+double bytes_moved(const Solid<d>& solid, bool second) {
+  const int laplacians = second ? 3 : 2;
+  double bytes = sizeof(double) * d * (second ? 6.0 : 3.0);
+  if (solid.bonds.width == 1)
+    bytes += laplacians * (sizeof(double) + sizeof(std::int32_t)) * static_cast<double>(solid.bonds.pairs) /
+             static_cast<double>(solid.cloud.size());
+  return bytes;
+}
+
+/// Of lap' lap [1/m^4], by power iteration on K components: all of them are alike but for images, whose signs
+/// differ by component.
+template <int d, int K>
+double largest_eigenvalue(const Solid<d>& solid) {
+  Field q = solid.make_field(K), inner = solid.make_field(K);
+  // a start that holds every mode; its numbers do not matter
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    for (int k = 0; k < K; ++k)
+      q[k][solid.bonds.slots.of(i)] = std::sin(12.9898 * static_cast<double>(i + 1) + 78.233 * k);
+  const auto for_blocks = [&](auto&& f) {
+#pragma omp parallel for schedule(static) if (solid.blocks() >= blocks_for_threads)
+    for (Index b = 0; b < solid.blocks(); ++b) f(solid.block(b));
+  };
+  double eigenvalue = 0;
+  // 60 steps give three digits for these spectra: a bound for a time step needs no more
+  for (int step = 0; step < 60; ++step) {
+    const double size = std::sqrt(sum_over_blocks(solid, [&](const Block& block) {
+      double sum = 0;
+      for (int k = 0; k < K; ++k)
+        for (Index i = block.begin(); i < block.end(); ++i) sum += q[k][i] * q[k][i];
+      return sum;
+    }));
+    if (step > 0) eigenvalue = size;
+    for_blocks([&](const Block& block) {
+      for (int k = 0; k < K; ++k)
+        for (Index i = block.begin(); i < block.end(); ++i) q[k][i] /= size;
+    });
+    for_blocks([&](const Block& block) { store_laplacian<d, K>(solid.bonds, false, q, block, inner); });
+    for_blocks([&](const Block& block) { store_laplacian<d, K>(solid.bonds, true, inner, block, q); });
+  }
+  return eigenvalue;
+}
+
 }  // namespace
 
 template <int d>
@@ -97,6 +143,7 @@ Term<d> jst_term(const Solid<d>& solid, const JstOptions& options) {
   Term<d> term;
   term.name = "jst";
   term.bytes = arrays->inner.bytes() + arrays->second.bytes();
+  term.bytes_per_update = bytes_moved(solid, options.eta2 != 0);
   term.first = [arrays, second](const Solid<d>& body, const Block& block, const State<d>& state, double) {
     store_laplacian<d>(body.bonds, false, state.v, block, arrays->inner);
     if (second != 0) store_laplacian<d>(body.bonds, true, state.v, block, arrays->second);
@@ -113,28 +160,8 @@ Term<d> jst_term(const Solid<d>& solid, const JstOptions& options) {
 
 template <int d>
 double biharmonic_radius(const Solid<d>& solid) {
-  Field q = solid.make_field(d), inner = solid.make_field(d);
-  // a start that holds every mode; its numbers do not matter
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    for (int k = 0; k < d; ++k)
-      q[k][solid.bonds.slots.of(i)] = std::sin(12.9898 * static_cast<double>(i + 1) + 78.233 * k);
-  double radius = 0;
-  // 60 steps give three digits for these spectra: a bound for a time step needs no more
-  for (int step = 0; step < 60; ++step) {
-    const double size = std::sqrt(sum_over_blocks(solid, [&](const Block& block) {
-      double sum = 0;
-      for (int k = 0; k < d; ++k)
-        for (Index i = block.begin(); i < block.end(); ++i) sum += q[k][i] * q[k][i];
-      return sum;
-    }));
-    for (int k = 0; k < d; ++k)
-      for (Index i = 0; i < solid.bonds.slots.count(); ++i) q[k][i] /= size;
-    if (step > 0) radius = size;
-    for (Index b = 0; b < solid.blocks(); ++b)
-      store_laplacian<d>(solid.bonds, false, q, solid.block(b), inner);
-    for (Index b = 0; b < solid.blocks(); ++b)
-      store_laplacian<d>(solid.bonds, true, inner, solid.block(b), q);
-  }
+  const double radius =
+      solid.bonds.mirror ? largest_eigenvalue<d, d>(solid) : largest_eigenvalue<d, 1>(solid);
   return radius * std::pow(solid.cloud.spacing, 4);
 }
 

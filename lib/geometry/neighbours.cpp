@@ -104,26 +104,38 @@ std::vector<LatticeStep<d>> steps_within(const Cloud<d>& cloud, double R) {
   return steps;
 }
 
+/// Calls f(neighbour) for every particle that a step from particle i leads to.
+template <int d, class F>
+void for_steps(const Cloud<d>& cloud, const std::vector<LatticeStep<d>>& steps, Index i, F&& f) {
+  std::array<Index, d> place;
+  for (int k = 0; k < d; ++k) place[k] = i / cloud.stride[k] % cloud.count[k];
+  for (const auto& step : steps) {
+    bool inside = true;
+    for (int k = 0; k < d; ++k) {
+      const Index at = place[k] + step.move[k];
+      inside = inside && at >= 0 && at < cloud.count[k];
+    }
+    if (inside) f(static_cast<std::int32_t>(i + step.number));
+  }
+}
+
 /// By counting on a lattice: no search.
 template <int d>
 Neighbours lattice_neighbours(const Cloud<d>& cloud, double R) {
   const auto steps = steps_within(cloud, R);
-  std::vector<std::vector<std::int32_t>> rows(cloud.size());
+  Neighbours all;
+  all.begin.assign(cloud.size() + 1, 0);
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < cloud.size(); ++i)
+    for_steps(cloud, steps, i, [&](std::int32_t) { ++all.begin[i + 1]; });
+  for (Index i = 0; i < cloud.size(); ++i) all.begin[i + 1] += all.begin[i];
+  all.list.resize(all.begin.back());
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < cloud.size(); ++i) {
-    std::array<Index, d> place;
-    for (int k = 0; k < d; ++k) place[k] = i / cloud.stride[k] % cloud.count[k];
-    rows[i].reserve(steps.size());
-    for (const auto& step : steps) {
-      bool inside = true;
-      for (int k = 0; k < d; ++k) {
-        const Index at = place[k] + step.move[k];
-        inside = inside && at >= 0 && at < cloud.count[k];
-      }
-      if (inside) rows[i].push_back(static_cast<std::int32_t>(i + step.number));
-    }
+    std::int32_t* next = all.list.data() + all.begin[i];
+    for_steps(cloud, steps, i, [&](std::int32_t j) { *next++ = j; });
   }
-  return compressed(rows);
+  return all;
 }
 
 template <int d>

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "plumbline/core/shrink.hpp"
 #include "plumbline/gradient/append_image_row.hpp"
 
 namespace plumb {
@@ -158,6 +159,13 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
     if (options.adjust_force) adjust<d>(rows[k], i, seen, options);
   }
   pack(table, rows, rows_of_slots(seen, kinds, table), options);
+  shrink_to_fit(table.begin, table.offset, table.separation, table.stencil, table.force, table.identity,
+                table.own_force, table.laplacian, table.outer_laplacian, table.own_outer);
+  if (table.mirror) {
+    MirrorBonds<d>& m = *table.mirror;
+    shrink_to_fit(m.begin, m.offset, m.signs, m.stencil, m.force, m.own_force, m.laplacian,
+                  m.outer_laplacian);
+  }
   return table;
 }
 

@@ -1,5 +1,7 @@
 #include "plumbline/gradient/kinds.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -9,19 +11,50 @@
 namespace plumb {
 namespace {
 
+/// Numbers the values that signature(i, value) appends for i from `first` to `end`, in `of`; returns the
+/// first i of each.
 template <class Signature>
-Kinds group(Index n, Signature&& signature) {
-  Kinds kinds;
-  kinds.of.resize(n);
+std::vector<Index> group_part(Index first, Index end, std::int32_t* of, Signature&& signature) {
+  std::vector<Index> representative;
   ValueNumbering numbering;
   std::vector<std::int64_t> value;
-  for (Index i = 0; i < n; ++i) {
+  for (Index i = first; i < end; ++i) {
     value.clear();
     signature(i, value);
     const auto [number, is_new] = numbering.number(value);
-    kinds.of[i] = number;
-    if (is_new) kinds.representative.push_back(i);
+    of[i] = number;
+    if (is_new) representative.push_back(i);
   }
+  return representative;
+}
+
+/// Kinds in the order in which a single thread would have met them: every thread groups a part, then the
+/// parts' representatives are grouped in the order of the parts.
+template <class Signature>
+Kinds group(Index n, Signature&& signature) {
+  constexpr Index least_part = 1024;  // below that a thread costs more than it brings
+  const Index parts = std::clamp<Index>(n / least_part, 1, omp_get_max_threads());
+  Kinds kinds;
+  kinds.of.resize(n);
+  std::vector<std::vector<Index>> found(parts);  // representatives
+#pragma omp parallel for schedule(static, 1) num_threads(static_cast <int>(parts))
+  for (Index p = 0; p < parts; ++p)
+    found[p] = group_part(n * p / parts, n * (p + 1) / parts, kinds.of.data(), signature);
+  std::vector<Index> candidates;
+  std::vector<Index> first_of_part;
+  for (const auto& part : found) {
+    first_of_part.push_back(static_cast<Index>(candidates.size()));
+    candidates.insert(candidates.end(), part.begin(), part.end());
+  }
+  std::vector<std::int32_t> number(candidates.size());
+  const std::vector<Index> kept =
+      group_part(0, static_cast<Index>(candidates.size()), number.data(),
+                 [&](Index c, std::vector<std::int64_t>& value) { signature(candidates[c], value); });
+  for (const Index c : kept) kinds.representative.push_back(candidates[c]);
+#pragma omp parallel for schedule(static, 1) num_threads(static_cast <int>(parts))
+  for (Index p = 0; p < parts; ++p)
+    for (Index i = n * p / parts; i < n * (p + 1) / parts; ++i)
+      kinds.of[i] = number[first_of_part[p] + kinds.of[i]];
   return kinds;
 }
 

@@ -42,21 +42,4 @@ void add_image_gradient(const MirrorBonds<d>& bonds, Index row, const Field& u, 
     }
 }
 
-/// The force per unit volume that images exert on one pack, in f: P_i s_i + sum R P_j R a_ij.
-template <int d, int W>
-void image_force(const MirrorBonds<d>& bonds, Index row, const Field& P, Index pack, Pack<W>* f) {
-  using Real = Pack<W>;
-  const Index i = pack * W;
-  for (int a = 0; a < d; ++a) {
-    f[a] = Real(0);
-    for (int b = 0; b < d; ++b)
-      f[a] += Real::load(P[a * d + b] + i) * Real::load(bonds.own_force.data() + (row * d + b) * W);
-  }
-  for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n)
-    for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b)
-        f[a] += Real(bonds.signs[n][a] * bonds.signs[n][b]) * Real::load(P[a * d + b] + i + bonds.offset[n]) *
-                Real::load(bonds.force.data() + (n * d + b) * W);
-}
-
 }  // namespace plumb

@@ -31,8 +31,8 @@ void explained(const Field& F, Index j, const Pack<W>* X, Pack<W>* out) {
 
 /// P_i -= H_i/V_i, and what the force takes from the particle's own F: THEORY (12.2).
 template <int d, int W>
-void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block, const Field& u, Field& P,
-              Field& partial) {
+void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block, const Field& u,
+              StressWindow& P, Field& partial) {
   using Real = Pack<W>;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
@@ -54,7 +54,7 @@ void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block
     for (int a = 0; a < d; ++a) {
       f[a].store(partial[a] + i);
       for (int b = 0; b < d; ++b) {
-        double* stress = P[a * d + b] + i;
+        double* stress = P[a * d + b] + P.place(i);
         (Real::load(stress) - H[a][b] * Real::load(k.per_volume.data() + i)).store(stress);
       }
     }
@@ -104,15 +104,23 @@ double energy_of_block(const Solid<d>& solid, const HourglassBonds& k, const Blo
 /// The functions of the term, for one width of packs.
 template <int d, int W>
 void set_functions(Term<d>& term, std::shared_ptr<const HourglassBonds> k, std::shared_ptr<Field> partial) {
-  term.stress = [k, partial](const Solid<d>& solid, const Block& block, const State<d>& state, Field& P) {
-    own_part<d, W>(solid, *k, block, state.u, P, *partial);
-  };
+  term.stress = [k, partial](const Solid<d>& solid, const Block& block, const State<d>& state,
+                             StressWindow& P) { own_part<d, W>(solid, *k, block, state.u, P, *partial); };
   term.second = [k, partial](const Solid<d>& solid, const Block& block, const State<d>&, double,
                              BlockForce<d>& force) { others_part<d, W>(solid, *k, block, *partial, force); };
   term.energy = [k](const Solid<d>& solid, const State<d>& state) {
     return sum_over_blocks(
         solid, [&](const Block& block) { return energy_of_block<d, W>(solid, *k, block, state.u); });
   };
+}
+
+/// The part of the force that is known with the stress is written and read, F is read once more; the tables
+/// of rows of their own: springs and separations, twice.
+template <int d>
+double bytes_moved(const Solid<d>& solid) {
+  constexpr double real = sizeof(double), offset = sizeof(std::int32_t);
+  const double neighbours = static_cast<double>(solid.bonds.pairs) / static_cast<double>(solid.cloud.size());
+  return real * (2 * d + d * d) + (solid.bonds.width == 1 ? 2 * neighbours * (real * (d + 2) + offset) : 0.0);
 }
 
 }  // namespace
@@ -124,6 +132,7 @@ Term<d> hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, dou
   Term<d> term;
   term.name = "hourglass";
   term.bytes = partial->bytes() + k->bytes();
+  term.bytes_per_update = bytes_moved(solid);
   term.needs_F = true;
   if (solid.bonds.width == 1)
     set_functions<d, 1>(term, k, partial);

@@ -60,6 +60,7 @@ std::vector<Support<d>> make_supports(const Cloud<d>& cloud, const Scene& scene)
       if (boundary.kind == BoundaryKind::velocity) velocity = evaluate_at<d>(boundary.velocity, cloud.X[i]);
       for (int k = 0; k < d; ++k) supports.push_back({i, k, velocity[k]});
     }
+  supports.shrink_to_fit();
   return supports;
 }
 
@@ -255,13 +256,18 @@ std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation) {
        solid.cloud.X.size() * sizeof(Vec<d>) + solid.cloud.V.size() * sizeof(double)},
       {"volumes per slot", solid.volume.size() * sizeof(double)},
       {"bond table", solid.bonds.bytes()},
+      {"bond table, in the order of the loops", solid.sweeps.bytes},
       {"displacement", simulation.state.u.bytes()},
       {"velocity", simulation.state.v.bytes()},
-      {"first Piola-Kirchhoff stress", solid.P.bytes()},
+      {"first Piola-Kirchhoff stress, a window", solid.P.bytes()},
       {"integrator " + std::string(simulation.stepper.name), simulation.stepper.bytes}};
   if (solid.F.components()) arrays.push_back({"deformation gradient", solid.F.bytes()});
   if (solid.stored_force.components()) arrays.push_back({"force", solid.stored_force.bytes()});
   for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
+  arrays.push_back({"prescribed velocities", simulation.supports.size() * sizeof(Support<d>)});
+  if (follows_closest_pairs(simulation.control))
+    arrays.push_back({"closest pairs, for the time step", closest_pairs_bytes(solid)});
+  std::erase_if(arrays, [](const ArrayEntry& entry) { return entry.bytes == 0; });
   return arrays;
 }
 

@@ -20,10 +20,10 @@ class ShiftedSums {
 /// Adds `count` sources to N sums per component of the force; returns where the next weights are.
 template <int d, int W, int N>
 inline const double* add_sources(const typename LatticeTable<d>::Source* source, std::int32_t count,
-                                 const double* weights, const Field& P, Index i, Pack<W> (*sums)[d]) {
+                                 const double* weights, const StressWindow& P, Index i, Pack<W> (*sums)[d]) {
   using Real = Pack<W>;
   for (std::int32_t n = 0; n < count; ++n, weights += N * W) {
-    const Index from = i + source[n].offset;
+    const Index from = P.place(i + source[n].offset);
     Real weight[N];
     for (int k = 0; k < N; ++k) weight[k] = Real::load_once(weights + k * W);
     for (int a = 0; a < d; ++a) {
@@ -36,7 +36,7 @@ inline const double* add_sources(const typename LatticeTable<d>::Source* source,
 
 /// The sums of one source pack, by their even and odd parts (10.4).
 template <int d, int W, int m>
-inline void sum_sources(const LatticeTable<d>& table, const Field& P, Index pack, Index pack_in_block,
+inline void sum_sources(const LatticeTable<d>& table, const StressWindow& P, Index pack, Index pack_in_block,
                         ShiftedSums<d, W, m>& sums) {
   using Real = Pack<W>;
   const auto& row = table.source_rows[table.force_row[pack + 1]];
@@ -61,7 +61,7 @@ inline void sum_sources(const LatticeTable<d>& table, const Field& P, Index pack
 }
 
 template <int d, int W, int m>
-void force_with_shifts(const LatticeTable<d>& table, const Field& P, const Block& block,
+void force_with_shifts(const LatticeTable<d>& table, const StressWindow& P, const Block& block,
                        BlockForce<d>& force) {
   using Real = Pack<W>;
   ShiftedSums<d, W, m> sums;
@@ -79,7 +79,7 @@ void force_with_shifts(const LatticeTable<d>& table, const Field& P, const Block
 }  // namespace
 
 template <int d>
-void lattice_force_sweep(const LatticeTable<d>& table, const Field& P, const Block& block,
+void lattice_force_sweep(const LatticeTable<d>& table, const StressWindow& P, const Block& block,
                          BlockForce<d>& force) {
   constexpr int W = native_width;
   [&]<int... m>(std::integer_sequence<int, m...>) {
@@ -88,8 +88,11 @@ void lattice_force_sweep(const LatticeTable<d>& table, const Field& P, const Blo
   (std::make_integer_sequence<int, W / 2>{});
 }
 
-template void lattice_force_sweep<1>(const LatticeTable<1>&, const Field&, const Block&, BlockForce<1>&);
-template void lattice_force_sweep<2>(const LatticeTable<2>&, const Field&, const Block&, BlockForce<2>&);
-template void lattice_force_sweep<3>(const LatticeTable<3>&, const Field&, const Block&, BlockForce<3>&);
+template void lattice_force_sweep<1>(const LatticeTable<1>&, const StressWindow&, const Block&,
+                                     BlockForce<1>&);
+template void lattice_force_sweep<2>(const LatticeTable<2>&, const StressWindow&, const Block&,
+                                     BlockForce<2>&);
+template void lattice_force_sweep<3>(const LatticeTable<3>&, const StressWindow&, const Block&,
+                                     BlockForce<3>&);
 
 }  // namespace plumb

@@ -44,7 +44,7 @@ inline Mat<d, Pack<W>> lattice_deformation_gradient(const BondTable<d>& bonds, c
 
 /// Internal force of one block of a lattice: the same as force_sweep, with aligned reads.
 template <int d>
-void lattice_force_sweep(const LatticeTable<d>& table, const Field& P, const Block& block,
+void lattice_force_sweep(const LatticeTable<d>& table, const StressWindow& P, const Block& block,
                          BlockForce<d>& force);
 
 }  // namespace plumb

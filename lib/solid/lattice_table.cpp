@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "plumbline/core/shrink.hpp"
 #include "plumbline/gradient/same_value.hpp"
 
 namespace plumb {
@@ -185,6 +186,9 @@ LatticeTable<d> make_lattice_table(const BondTable<d>& bonds) {
     table.force_row.push_back(number);
     if (is_new) append_source_row(table, bonds, p);
   }
+  shrink_to_fit(table.pair_begin, table.single_begin, table.pair_offset, table.single_offset,
+                table.pair_stencil, table.single_stencil, table.force_row, table.source_rows, table.sources,
+                table.source_weight);
   return table;
 }
 

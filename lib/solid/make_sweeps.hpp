@@ -28,8 +28,8 @@ Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
 template <int d, int W, MaterialModel<d> M, class Gradient>
 Sweeps<d> sweeps_over(const M& material, const Gradient& gradient) {
   Sweeps<d> s;
-  s.stress = [material, gradient](const BondTable<d>& bonds, const Field& u, const Block& block, Field& P,
-                                  Field* F) {
+  s.stress = [material, gradient](const BondTable<d>& bonds, const Field& u, const Block& block,
+                                  StressWindow& P, Field* F) {
     const auto of_pack = [&](Index pack) { return gradient(bonds, u, pack); };
     return stress_sweep<d, W>(material, of_pack, block, P, F);
   };
@@ -72,7 +72,7 @@ Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
       sweeps_with_images<d, W>(material, all, [table](const auto& bonds, const Field& u, Index pack) {
         return lattice_deformation_gradient<d, W>(bonds, *table, u, pack);
       });
-  s.force = [table](const BondTable<d>&, const Field& P, const Block& block, BlockForce<d>& force) {
+  s.force = [table](const BondTable<d>&, const StressWindow& P, const Block& block, BlockForce<d>& force) {
     lattice_force_sweep<d>(*table, P, block, force);
   };
   s.bytes = table->bytes();

@@ -69,10 +69,14 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
   return step_for(solid, control, crossing_time(solid, state, control.wave_speed));
 }
 
+bool follows_closest_pairs(const StepControl& control) {
+  return !control.fixed_step && control.wave_speed == WaveSpeed::linear;
+}
+
 template <int d>
 double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
                       ClosestPairs<d>& closest) {
-  if (control.fixed_step || control.wave_speed != WaveSpeed::linear) return time_step(solid, state, control);
+  if (!follows_closest_pairs(control)) return time_step(solid, state, control);
   return step_for(solid, control, closest.distance(solid, state) / solid.elastic.wave_speed());
 }
 

@@ -64,6 +64,9 @@ using Observer = std::function<bool(const Solid<d>&, const State<d>&)>;
 template <int d>
 double time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control);
 
+/// Whether the step follows from the closest pairs: they are then kept from step to step.
+bool follows_closest_pairs(const StepControl& control);
+
 /// The same number, following the closest pairs from step to step.
 template <int d>
 double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,

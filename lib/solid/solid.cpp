@@ -25,7 +25,7 @@ Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& el
   solid.elastic = elastic;
   solid.smoothing_length = options.smoothing_length;
   solid.sweeps = sweeps_named<d>(material, elastic, solid.bonds);
-  solid.P = solid.make_field(d * d);
+  solid.P = make_stress_window(solid);
   solid.volume.assign(solid.bonds.slots.count(), 0.0);
   for (Index i = 0; i < solid.cloud.size(); ++i) solid.volume[solid.bonds.slots.of(i)] = solid.cloud.V[i];
   if (solid.bonds.mirror) add_term(solid, mirror_term(solid));

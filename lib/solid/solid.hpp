@@ -10,7 +10,7 @@
 
 #include "plumbline/gradient/bond_table.hpp"
 #include "plumbline/material/material.hpp"
-#include "plumbline/solid/state.hpp"
+#include "plumbline/solid/stress_window.hpp"
 
 namespace plumb {
 
@@ -33,13 +33,14 @@ using Arm = std::function<Vec<d>(Index slot)>;
 template <int d>
 struct Term {
   std::string name;
-  std::size_t bytes = 0;  ///< of its own arrays
+  std::size_t bytes = 0;        ///< of its own arrays
+  double bytes_per_update = 0;  ///< read and written at each evaluation, as in THEORY (10.8)
   /// Runs with the stress; may read displacement and velocity of slots that share a bond and write the term's
   /// own arrays.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
   /// Adds to the stress of the block's own slots, after the material has set it: what is carried by the same
   /// bonds as the stress costs no second gather.
-  std::function<void(const Solid<d>&, const Block&, const State<d>&, Field& P)> stress;
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, StressWindow& P)> stress;
   /// Adds to the force per unit reference volume; may read the term's own arrays, and the state only if
   /// needs_state.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
@@ -62,9 +63,9 @@ using Tangent = Eigen::Matrix<double, d * d, d * d>;
 /// The loops for one material and one kind of table, chosen once.
 template <int d>
 struct Sweeps {
-  std::function<bool(const BondTable<d>&, const Field& u, const Block&, Field& P, Field* F)> stress;
+  std::function<bool(const BondTable<d>&, const Field& u, const Block&, StressWindow& P, Field* F)> stress;
   std::function<double(const BondTable<d>&, const Field& u, const Block&, const double* volume)> energy;
-  std::function<void(const BondTable<d>&, const Field& P, const Block&, BlockForce<d>&)> force;
+  std::function<void(const BondTable<d>&, const StressWindow& P, const Block&, BlockForce<d>&)> force;
   std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF at F, for linearisation
   std::size_t bytes = 0;                               ///< of tables of their own
 };
@@ -74,15 +75,6 @@ struct Work {
   std::int64_t particle_evaluations = 0;
   std::int64_t pair_evaluations = 0;
 };
-
-/// Contiguous blocks of one thread.
-struct Share {
-  Index first, last;
-};
-inline Share share_of_thread(Index blocks) {
-  const Index threads = omp_get_num_threads(), own = omp_get_thread_num();
-  return {blocks * own / threads, blocks * (own + 1) / threads};
-}
 
 /// Where the last evaluation found a deformation gradient without positive determinant.
 struct UnsoundParticle {
@@ -99,7 +91,7 @@ struct Solid {
   BondTable<d> bonds;
   Sweeps<d> sweeps;
   std::vector<Term<d>> terms;
-  Field P;               ///< first Piola-Kirchhoff stress [Pa]
+  StressWindow P;        ///< first Piola-Kirchhoff stress, as far as forces have still to read it
   Field F;               ///< deformation gradient; empty unless a term needs it
   Field stored_force;    ///< [N/m^d]; empty unless a term needs the state
   AlignedVector volume;  ///< per slot [m^d]; 0 for empty slots
@@ -184,39 +176,63 @@ void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, c
   }
 }
 
+/// Room for the stresses of a body, with as many shares as threads will work on it.
+template <int d>
+StressWindow make_stress_window(const Solid<d>& solid) {
+  const Index blocks = solid.blocks();
+  const Index reach = (solid.bonds.margin + block_slots - 1) / block_slots;
+  return {d * d, blocks, reach, blocks >= blocks_for_threads ? omp_get_max_threads() : 1};
+}
+
+/// Stresses of a share, and the forces that need no others, `reach` blocks behind. Calls force(b). Ends with
+/// false at the first block that is not sound, before any force has read its stress.
+template <int d, class Force>
+bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index share, Force&& force) {
+  const Index reach = solid.P.reach(), last = solid.P.begin_of(share + 1);
+  Index next = solid.P.inner(share).first;
+  const Index end = solid.P.inner(share).second;
+  for (Index b = solid.P.begin_of(share); b < last; ++b) {
+    if (!find_stress(solid, state, solid.block(b), time)) return false;
+    if (next < end && next + reach <= b) force(next++);
+  }
+  while (next < end) force(next++);
+  return true;
+}
+
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
 /// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
-/// J <= 0 or is not a number; some blocks have then been updated, and the integrator goes back. `arm`: of an
-/// integrator that keeps angular momentum about other points than the positions of the evaluation.
+/// J <= 0 or is not a number; some blocks, far from there, have then been updated, and the integrator goes
+/// back. `arm`: of an integrator that keeps angular momentum about other points than the positions of the
+/// evaluation.
 ///
 /// A block's force follows as soon as the stresses that it reads are known, while they are still in the
-/// cache: a thread goes through its share of the blocks once, the force `reach` blocks behind the stress.
-/// What reads beyond the share waits until all stresses are known. Every block gets the same numbers whatever
+/// cache; what reads beyond its share waits until all are known. Every block gets the same numbers whatever
 /// the shares are.
 template <int d, class Update>
 bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update, const Arm<d>& arm = {}) {
   const Index blocks = solid.blocks();
-  const Index reach = (solid.bonds.margin + block_slots - 1) / block_slots;
+  if (const Index threads = omp_get_max_threads();
+      blocks >= blocks_for_threads && solid.P.shares() != threads)
+    solid.P = make_stress_window(solid);  // the number of threads was changed
+  const Index shares = solid.P.shares();
   const auto force = [&](Index b) { find_force(solid, state, solid.block(b), time, update); };
   bool sound = true;
-#pragma omp parallel reduction(&& : sound) if (blocks >= blocks_for_threads)
+#pragma omp parallel num_threads(static_cast <int>(shares))
   {
-    const Share share = share_of_thread(blocks);
-    const Index inner = share.first == 0 ? 0 : std::min(share.first + reach, share.last);
-    const Index outer = share.last == blocks ? blocks : std::max(share.last - reach, inner);
-    Index next = inner;
-    for (Index b = share.first; b < share.last; ++b) {
-      sound = find_stress(solid, state, solid.block(b), time) && sound;
-      if (next < outer && next + reach <= b) force(next++);
+#pragma omp for schedule(static, 1) reduction(&& : sound)
+    for (Index s = 0; s < shares; ++s) sound = go_through_share(solid, state, time, s, force) && sound;
+#pragma omp for schedule(static, 1)
+    for (Index s = 0; s < shares; ++s) {
+      if (!sound) continue;
+      const auto [first, last] = solid.P.inner(s);
+      for (Index b = solid.P.begin_of(s); b < first; ++b) force(b);
+      for (Index b = last; b < solid.P.begin_of(s + 1); ++b) force(b);
     }
-    while (next < outer && share.last == blocks) force(next++);
-#pragma omp barrier
-    for (Index b = share.first; b < inner; ++b) force(b);
-    for (Index b = next; b < share.last; ++b) force(b);
   }
   solid.work.particle_evaluations += solid.bonds.slots.particles;
   solid.work.pair_evaluations += solid.bonds.pairs;
   if (!sound) {
+    solid.P.clear();
     solid.unsound = find_unsound(solid, state);
     return false;
   }

@@ -1,9 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 
 #include "plumbline/gradient/bond_table.hpp"
 #include "plumbline/material/material.hpp"
-#include "plumbline/solid/state.hpp"
+#include "plumbline/solid/stress_window.hpp"
 
 namespace plumb {
 
@@ -35,48 +36,87 @@ inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Fie
   return result;
 }
 
-/// First Piola-Kirchhoff stress [Pa] of one block into P (d x d components, row by row), and F into `F_out`
-/// if a term needs it. Returns false if some determinant is not positive (or not a number).
+/// Deformation gradients of the next V slots of a block whose table has packs of W, as one pack: where rows
+/// are of single particles, the material still works on whole packs. Behind the block's end: I.
+template <int d, int W, int V, class DeformationGradient>
+inline Mat<d, Pack<V>> gathered(DeformationGradient&& deformation_gradient_of_pack, Index slot, Index end) {
+  if constexpr (W == V) {
+    return deformation_gradient_of_pack(slot / W);
+  } else {
+    static_assert(W == 1);
+    double lanes[d][d][V] = {};
+    for (int a = 0; a < d; ++a) std::fill_n(lanes[a][a], V, 1.0);
+    for (int lane = 0; lane < V && slot + lane < end; ++lane) {
+      const Mat<d, Pack<1>> F = deformation_gradient_of_pack(slot + lane);
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) lanes[a][b][lane] = F(a, b)[0];
+    }
+    Mat<d, Pack<V>> all;
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b) all(a, b) = Pack<V>::load(lanes[a][b]);
+    return all;
+  }
+}
+
+/// First Piola-Kirchhoff stress of one block into P, and F into `F_out` if a term needs it. Returns false if
+/// some determinant is not positive (or not a number).
 template <int d, int W, MaterialModel<d> M, class DeformationGradient>
 bool stress_sweep(const M& material, DeformationGradient&& deformation_gradient_of_pack, const Block& block,
-                  Field& P, Field* F_out) {
-  using Real = Pack<W>;
+                  StressWindow& P, Field* F_out) {
+  constexpr int V = native_width;
+  using Real = Pack<V>;
   Real unsound(0);
-  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
-    const Mat<d, Real> F = deformation_gradient_of_pack(pack);
+  for (Index slot = block.begin(); slot < block.end(); slot += V) {
+    const Mat<d, Real> F = gathered<d, W, V>(deformation_gradient_of_pack, slot, block.end());
     const Mat<d, Real> stress = material.first_piola(F);
+    const Index place = P.place(slot);
     for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b) stress(a, b).store(P[a * d + b] + pack * W);
-    if (F_out)
+      for (int b = 0; b < d; ++b)
+        stress(a, b).store(P[a * d + b] + place);  // a block's memory is always whole
+    if (F_out) {
+      const Index count = std::min<Index>(V, block.end() - slot);
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) F(a, b).store((*F_out)[a * d + b] + pack * W);
+        for (int b = 0; b < d; ++b) {
+          double values[V];
+          F(a, b).store(values);
+          std::copy_n(values, count, (*F_out)[a * d + b] + slot);
+        }
+    }
     unsound += not_positive(determinant<d, Real>(F));
   }
   double count = 0;
-  for (int lane = 0; lane < W; ++lane) count += unsound[lane];
+  for (int lane = 0; lane < V; ++lane) count += unsound[lane];
   return count == 0;
 }
 
 /// Internal force per unit reference volume of one block: f_i = P_i s_i + sum_j P_j a_ij, THEORY (5.1).
 template <int d, int W>
-void force_sweep(const BondTable<d>& bonds, const Field& P, const Block& block, BlockForce<d>& force) {
+void force_sweep(const BondTable<d>& bonds, const StressWindow& P, const Block& block, BlockForce<d>& force) {
+  static_assert(W ==
+                1);  // a pack of others may lie in two blocks; lattice_force_sweep() reads whole packs only
   using Real = Pack<W>;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
     const std::int32_t row = bonds.row[pack];
-    Real f[d];
+    Real sums[d][d];  // by b of P_ab a_b as well: one chain of additions would wait for each of them
     const auto add = [&](Index j, const double* weights) {
+      const Index place = P.place(j);
       Real weight[d];
       for (int b = 0; b < d; ++b) weight[b] = Real::load(weights + b * W);
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) f[a] += Real::load(P[a * d + b] + j) * weight[b];
+        for (int b = 0; b < d; ++b) sums[a][b] += Real::load(P[a * d + b] + place) * weight[b];
     };
-    for (int a = 0; a < d; ++a) f[a] = Real(0);
+    for (auto& by_component : sums)
+      for (auto& sum : by_component) sum = Real(0);
     add(i, bonds.own_force.data() + static_cast<Index>(row) * d * W);
     const std::int64_t end = bonds.begin[row + 1];
     for (std::int64_t n = bonds.begin[row]; n < end; ++n)
       add(i + bonds.offset[n], bonds.force.data() + n * d * W);
-    for (int a = 0; a < d; ++a) f[a].store(force.at(a, i));
+    for (int a = 0; a < d; ++a) {
+      Real f = sums[a][0];
+      for (int b = 1; b < d; ++b) f += sums[a][b];
+      f.store(force.at(a, i));
+    }
   }
 }
 

@@ -37,7 +37,7 @@ Sweeps<d> linear_sweeps(const Elastic& elastic, const BondTable<d>& all) {
   const SmallStrain material(elastic);
   Sweeps<d> sweeps = all.width == 1 ? plain_sweeps<d>(material, all) : lattice_sweeps<d>(material, all);
   sweeps.stress = [stress = sweeps.stress](const BondTable<d>& bonds, const Field& u, const Block& block,
-                                           Field& P, Field* F) {
+                                           StressWindow& P, Field* F) {
     stress(bonds, u, block, P, F);
     return true;
   };

@@ -18,20 +18,29 @@ class ClosestPairs {
   /// Smallest current distance of neighbours [m]: the same bits as least_distance().
   double distance(const Solid<d>& solid, const State<d>& state);
 
+  /// Of its own arrays.
+  std::size_t bytes() const;
+
  private:
   /// One bond of one pack.
   struct Candidate {
-    std::int64_t bond;
-    Index pack;
+    std::int32_t pack;
+    std::int32_t bond;  ///< of the pack's row
   };
   double collect(const Solid<d>& solid, const State<d>& state);
 
-  std::vector<Candidate> candidates_;
+  std::vector<Candidate> candidates_;   ///< by block
+  std::vector<std::int64_t> of_block_;  ///< per block: its first candidate; one more at the end
   std::vector<float> reference_;  ///< displacements when the candidates were collected [m], by component
+  double rounding_ = 0;           ///< what rounding to float may hide of a motion [m]
   double reach_ = 0;              ///< [m]
   long uses_ = 0;                 ///< of the present candidates
   long plain_passes_ = 0;         ///< still to come before candidates are collected again
 };
+
+/// What following the closest pairs takes from the reference state on [bytes].
+template <int d>
+std::size_t closest_pairs_bytes(const Solid<d>& solid);
 
 /// Smallest current distance of neighbours [m], by a pass over all pairs.
 template <int d>

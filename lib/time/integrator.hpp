@@ -23,6 +23,7 @@ concept Integrator = std::constructible_from < S,
   { S::evaluations_per_step } -> std::convertible_to<int>;
   { stepper.step(solid, state, dt) } -> std::same_as<bool>;
   { stepper.bytes() } -> std::convertible_to<std::size_t>;
+  { S::vectors_moved } -> std::convertible_to<int>;
 };
 
 /// An integrator chosen at run time.
@@ -40,6 +41,8 @@ struct Stepper {
   /// Of the forces of a step's evaluations in the change of v over dt; a single one counts at both ends of
   /// the step. Empty: unknown, and there is no budget.
   std::vector<double> weights = {};
+  /// Vectors per particle that it reads and writes at every evaluation, for THEORY (10.8).
+  int vectors_moved = 0;
 };
 
 template <int d>
@@ -55,6 +58,7 @@ Stepper<d> stepper_named(std::string_view name, const Solid<d>& solid) {
       stepper.carried = [s] { return s->carried(); };
       stepper.carry = [s](const Field& field) { s->carry(field); };
     }
+    stepper.vectors_moved = S::vectors_moved;
     if constexpr (requires { S::weights; })
       stepper.weights.assign(std::begin(S::weights), std::end(S::weights));
   });

@@ -140,7 +140,7 @@ TEST_F(RunCommand, SummaryHasEveryFieldOfTheContract) {
            {"energy", {"kinetic", "strain", "total", "initial", "relative_change"}},
            {"extent", {"min", "max"}},
            {"timing", {"setup_s", "wall_s", "cpu_s", "particle_evaluations_per_s"}},
-           {"work", {"particle_evaluations", "pair_evaluations"}},
+           {"work", {"particle_evaluations", "pair_evaluations", "bytes"}},
            {"memory", {"bytes_per_particle", "peak_rss"}}})
     for (const auto& part : parts) EXPECT_TRUE(summary[key].contains(part)) << key << "." << part;
   EXPECT_EQ(summary["status"], "completed");
@@ -158,6 +158,8 @@ TEST_F(RunCommand, FirstStepAndNumberOfStepsOfTheSwingingPlate) {
   EXPECT_EQ(summary["steps"], 72);
   // Three evaluations a step: work does not depend on the machine.
   EXPECT_EQ(summary["work"]["particle_evaluations"], 121 * 3 * 72);
+  // THEORY (10.8) on a lattice: 8 (2 + 2 4 + 2 6) and JST 24 2
+  EXPECT_EQ(summary["work"]["bytes"], 121 * 3 * 72 * 224);
 }
 
 TEST_F(RunCommand, SeriesHasUnitsAndARowForEveryInterval) {

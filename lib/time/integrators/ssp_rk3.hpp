@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "plumbline/solid/solid.hpp"
 
@@ -17,15 +19,17 @@ struct SspRk3 {
     static constexpr std::string_view name = SspRk3::name;
     static constexpr int order = 3;
     static constexpr int evaluations_per_step = 3;
+    static constexpr int vectors_moved =
+        6;  // u, v, u0, v0 read, u, v written; in the first stage u0, v0 written
     static constexpr double weights[] = {1.0 / 6, 1.0 / 6, 2.0 / 3};
 
-    explicit Stepper(const Solid<d>& solid) : u0_(solid.make_field(d)), v0_(solid.make_field(d)) {}
-    std::size_t bytes() const { return u0_.bytes() + v0_.bytes(); }
+    explicit Stepper(const Solid<d>& solid)
+        : u0_(solid.make_field(d)), v0_(solid.make_field(d)), kept_(solid.blocks()) {}
+    std::size_t bytes() const { return u0_.bytes() + v0_.bytes() + kept_.size(); }
 
     bool step(Solid<d>& solid, State<d>& state, double dt) {
       const double t = state.time;
-      u0_ = state.u;
-      v0_ = state.v;
+      std::fill(kept_.begin(), kept_.end(), 0);
       // THEORY (5.5)
       const Arm<d> first = [&](Index i) -> Vec<d> { return at(state.u, i) - dt * at(state.v, i); };
       const Arm<d> second = [&](Index i) -> Vec<d> {
@@ -38,8 +42,7 @@ struct SspRk3 {
                          stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4, second) &&
                          stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3, third);
       if (!sound) {
-        state.u = u0_;
-        state.v = v0_;
+        go_back(solid, state);
         return false;
       }
       state.time = t + dt;
@@ -50,13 +53,14 @@ struct SspRk3 {
    private:
     static Vec<d> at(const Field& field, Index i) { return vector_at<d>(field, i); }
 
-    /// U <- kept U^n + fresh (U + dt R(U, t)).
+    /// U <- kept U^n + fresh (U + dt R(U, t)); the first stage puts U^n aside on the way.
     bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh,
                const Arm<d>& arm) {
       const double per_mass = dt / solid.elastic.density;
       return evaluate(
           solid, state, t,
           [&](const Block& block, BlockForce<d>& force) {
+            if (kept == 0) keep(state, block);
             for (int k = 0; k < d; ++k) {
               double* u = state.u[k];
               double* v = state.v[k];
@@ -73,7 +77,28 @@ struct SspRk3 {
           arm);
     }
 
-    Field u0_, v0_;
+    void keep(const State<d>& state, const Block& block) {
+      const Index first = block.begin(), count = block.end() - first;
+      for (int k = 0; k < d; ++k) {
+        std::copy_n(state.u[k] + first, count, u0_[k] + first);
+        std::copy_n(state.v[k] + first, count, v0_[k] + first);
+      }
+      kept_[first / block_slots] = 1;
+    }
+
+    /// Blocks that were not put aside have not been changed.
+    void go_back(const Solid<d>& solid, State<d>& state) {
+      for (Index b = 0; b < solid.blocks(); ++b) {
+        const Index first = solid.block(b).begin(), count = solid.block(b).end() - first;
+        for (int k = 0; k < d && kept_[b]; ++k) {
+          std::copy_n(u0_[k] + first, count, state.u[k] + first);
+          std::copy_n(v0_[k] + first, count, state.v[k] + first);
+        }
+      }
+    }
+
+    Field u0_, v0_;           ///< U^n
+    std::vector<char> kept_;  ///< per block: it has been put aside
   };
 };
 

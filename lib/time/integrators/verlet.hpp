@@ -19,11 +19,13 @@ struct Verlet {
     static constexpr std::string_view name = Verlet::name;
     static constexpr int order = 2;
     static constexpr int evaluations_per_step = 1;
+    static constexpr int vectors_moved =
+        8;  // kick and drift: u, v, a read, u, v written; then v read, v, a written
     static constexpr double weights[] = {0.5};  // of the evaluation before the step, too
 
     explicit Stepper(const Solid<d>& solid)
         : a_(solid.make_field(d)), before_(solid.make_field(d)), kicked_(solid.blocks()) {}
-    std::size_t bytes() const { return a_.bytes() + before_.bytes(); }
+    std::size_t bytes() const { return a_.bytes() + before_.bytes() + kicked_.size(); }
     /// The acceleration [m/s^2] that the last step ended with. With terms that depend on the velocity it
     /// cannot be found again from the state: it was evaluated at the velocity of half a step before.
     const Field* carried() const { return started_ ? &a_ : nullptr; }

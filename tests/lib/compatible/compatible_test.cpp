@@ -184,7 +184,7 @@ TYPED_TEST(CompatibleSolid, PassesThePatchTest) {
                          .B;
       Mat<d> P;
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) P(a, b) = solid.P[a * d + b][solid.bonds.slots.of(0)];
+        for (int b = 0; b < d; ++b) P(a, b) = solid.P.at(a * d + b, solid.bonds.slots.of(0));
       const double size = P.norm() * std::pow(solid.cloud.spacing, d - 1);
       for (Index i = 0; i < solid.cloud.size(); ++i) {
         EXPECT_LT((deformation_gradient_of(solid, state, i) - A).norm(), 1e-11);

@@ -73,14 +73,13 @@ class Sweeps : public ::testing::TestWithParam<Case> {
     const Plain<d> plain{solid.cloud, options<d>(scheme, solid.cloud.spacing)};
     const auto expected = plain.forces(x, c.momentum == "adjoint");
     const auto found = forces(solid, state);
+    ASSERT_EQ(found.size(), expected.size());
     double size = 0, error = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
       size = std::max(size, expected[i].norm());
       error = std::max(error, (found[i] - expected[i]).norm());
     }
-    // 30 products of stresses of 1e6 Pa with 1e2/m, each rounded to 1e-16, against forces of about a tenth of
-    // their sum
-    EXPECT_LT(error, 1e-13 * size * 10);
+    EXPECT_LT(error, 1e-13 * size);  // rounding of 30 products; found: up to 2e-14
     EXPECT_GT(size, 0);
   }
 };
@@ -94,11 +93,12 @@ TEST_P(Sweeps, EqualThePlainLoopsIn3D) {
 
 INSTANTIATE_TEST_SUITE_P(
     Clouds, Sweeps,
+    // the last one has so many blocks that stresses take turns in the same memory
     ::testing::Values(Case{21, Layout::cell, 0, "adjoint"}, Case{21, Layout::node, 0, "adjoint"},
                       Case{16, Layout::cell, 0, "symmetrised"}, Case{16, Layout::node, 0, "symmetrised"},
                       // reach beyond half a pack: sums are wanted before the first pack of the body
                       Case{21, Layout::cell, 0, "adjoint", 2.7}, Case{14, Layout::cell, 0.2, "adjoint"},
-                      Case{14, Layout::node, 0.2, "symmetrised"}));
+                      Case{14, Layout::node, 0.2, "symmetrised"}, Case{42, Layout::cell, 0, "adjoint"}));
 
 TEST(Adjoint, ForceIsMinusTheDerivativeOfTheEnergy) {
   for (const double jitter : {0.0, 0.2}) {

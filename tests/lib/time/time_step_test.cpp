@@ -76,5 +76,35 @@ TEST(Run, AnExplosionIsStoppedAndTheLastGoodStateKept) {
       evaluate(solid, state, state.time, [](const Block&, BlockForce<2>&) {}));  // the kept state is sound
 }
 
+/// Blocks far from the trouble have been updated when it is found, others have not.
+TEST(Step, ThatFailsLeavesTheStateBeforeIt) {
+  for (const std::string integrator : {"rk3", "verlet"})
+    for (const bool at_once : {true, false}) {                // in the first evaluation, or in a later one
+      Solid<3> solid = rubber_block<3>(20, Layout::cell, 0);  // 27 blocks
+      State<3> state = make_state(solid);
+      deform(solid, state, 0.02);
+      const Stepper<3> stepper = stepper_named<3>(integrator, solid);
+      const double spacing = solid.cloud.spacing, dt = 1e-7;
+      const Index last = solid.bonds.slots.of(solid.cloud.size() - 1);
+      if (integrator == "verlet") {
+        ASSERT_TRUE(stepper.step(solid, state, dt));
+      }
+      if (at_once)
+        state.u[0][last] -= 3 * spacing;  // through its neighbours
+      else
+        state.v[0][last] = -3 * spacing / dt;
+      const State<3> before = state;
+      ASSERT_FALSE(stepper.step(solid, state, dt));
+      EXPECT_EQ(state.step, before.step);
+      for (Index i = 0; i < solid.bonds.slots.count(); ++i) {
+        // Verlet goes back by subtracting what it added: rounding of positions of 1 m and of velocities
+        const double u_error = integrator == "rk3" ? 0 : 1e-15;
+        const double v_error = integrator == "rk3" ? 0 : 1e-15 * (1 + std::abs(before.v[0][i])) + 1e-12;
+        ASSERT_NEAR(state.u[0][i], before.u[0][i], u_error) << integrator << " slot " << i;
+        ASSERT_NEAR(state.v[0][i], before.v[0][i], v_error) << integrator << " slot " << i;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace plumb::testing

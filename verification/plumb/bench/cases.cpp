@@ -3,12 +3,14 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 
 #include "plumb/run/inventory.hpp"
 #include "plumbline/scene/simulation.hpp"
+#include "plumbline/solid/traffic.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -22,21 +24,48 @@ struct Clock {
   }
 };
 
-Scene body(int dimension, bool paper, double jitter) {
-  Scene scene;
+/// The schemes, as changes of a scene whose [method] is adjoint, improved, Verlet.
+struct Scheme {
+  std::string_view name;
+  bool main;
+  void (*set)(Scene&);
+};
+constexpr std::array<Scheme, 7> schemes = {{
+    {"adjoint-verlet", true, [](Scene&) {}},
+    {"paper", true,
+     [](Scene& scene) {
+       scene.method.momentum = "symmetrised";
+       scene.method.integrator = "rk3";
+       scene.jst = Jst{};
+     }},
+    {"adjoint-rk3", false, [](Scene& scene) { scene.method.integrator = "rk3"; }},
+    {"adjoint-verlet-jst", false, [](Scene& scene) { scene.jst = Jst{}; }},
+    {"symmetrised-verlet", false, [](Scene& scene) { scene.method.momentum = "symmetrised"; }},
+    {"standard-verlet", false, [](Scene& scene) { scene.method.gradient = "standard"; }},
+    {"compatible-verlet", false, [](Scene& scene) { scene.method.gradient = "compatible"; }},
+}};
+/// A row per particle takes 7 GB at 10^6 while it is set up.
+constexpr long most_jittered = 1000000;
+/// Set-up of compatible bonds grows faster than N: half a minute each at these sizes.
+constexpr long most_compatible_2d = 10000, most_compatible_3d = 1000;
+
+Case case_of(const Scheme& scheme, int dimension, bool jittered) {
+  Case c;
+  c.name = std::string(scheme.name) + (dimension == 2 ? "-2d" : "-3d") + (jittered ? "-jittered" : "");
+  c.main = scheme.main && !(jittered && scheme.name == "paper");
+  Scene& scene = c.scene;
   scene.dimension = dimension;
   scene.body.size.assign(dimension, 1.0);
-  scene.body.jitter = jitter;
+  scene.body.jitter = jittered ? 0.2 : 0;
   scene.material = {"neo-hookean", 1e7, 0.3, 1000};
-  if (paper) {
-    scene.method.momentum = "symmetrised";
-    scene.method.integrator = "rk3";
-    scene.jst = Jst{};
-  }
+  scheme.set(scene);
+  if (jittered) c.most = most_jittered;
+  if (scene.method.gradient == "compatible")
+    c.most = dimension == 2 ? most_compatible_2d : most_compatible_3d;
   Boundary clamp;  // so that boundaries cost what they cost
   clamp.face = Face{0, -1};
   scene.boundaries = {clamp};
-  return scene;
+  return c;
 }
 
 /// A smooth motion of the free faces, so that no step sees a body at rest.
@@ -61,12 +90,14 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
   Simulation<d> simulation = make_simulation<d>(scene);
   Speed speed;
   speed.setup_cpu_s = setup.cpu_s();
+  speed.setup_wall_s = setup.wall_s();
   set_in_motion(simulation);
   Solid<d>& solid = simulation.solid;
   speed.particles = solid.cloud.size();
   speed.threads = threads;
   speed.bytes_per_particle =
       static_cast<double>(total_bytes(arrays_of(simulation))) / static_cast<double>(speed.particles);
+  speed.bytes_per_update = bytes_per_update(solid, simulation.stepper);
   const double pairs = static_cast<double>(solid.bonds.pairs) / static_cast<double>(speed.particles);
   speed.flops_per_update = pairs * (d + 4.0 * d * d);
   long steps = 2;
@@ -90,12 +121,13 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
 }  // namespace
 
 const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {{"adjoint-verlet-3d", body(3, false, 0)},
-                                        {"paper-3d", body(3, true, 0)},
-                                        {"adjoint-verlet-3d-jittered", body(3, false, 0.2)},
-                                        {"adjoint-verlet-2d", body(2, false, 0)},
-                                        {"paper-2d", body(2, true, 0)},
-                                        {"adjoint-verlet-2d-jittered", body(2, false, 0.2)}};
+  static const std::vector<Case> all = [] {
+    std::vector<Case> made;
+    for (const int dimension : {3, 2})
+      for (const bool jittered : {false, true})
+        for (const auto& scheme : schemes) made.push_back(case_of(scheme, dimension, jittered));
+    return made;
+  }();
   return all;
 }
 

@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "plumb/bench/cases.hpp"
+#include "plumb/bench/kernels.hpp"
 #include "plumb/bench/machine.hpp"
+#include "plumb/bench/results.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
@@ -25,14 +26,19 @@ struct BenchCommand {
   std::vector<int> threads{1};
   int repeats = 3;
   double seconds = 0.2;
+  bool all = false, full = false, kernels = false;
   SittingOptions sitting;
 };
 
 std::vector<bench::Case> chosen(const BenchCommand& command) {
+  std::vector<bench::Case> result;
+  if (command.only.empty()) {
+    for (const auto& c : bench::cases())
+      if (c.main || command.all) result.push_back(c);
+    return result;
+  }
   std::vector<std::string> names;
   for (const auto& c : bench::cases()) names.push_back(c.name);
-  if (command.only.empty()) return bench::cases();
-  std::vector<bench::Case> result;
   for (const auto& wanted : command.only) {
     const auto at = std::find(names.begin(), names.end(), wanted);
     if (at == names.end()) throw unknown_name("case", wanted, names);
@@ -41,70 +47,82 @@ std::vector<bench::Case> chosen(const BenchCommand& command) {
   return result;
 }
 
-Json row_of(const bench::Case& c, const bench::Speed& s, const bench::Machine& machine) {
-  return {{"case", c.name},
-          {"dimension", c.scene.dimension},
-          {"n", s.particles},
-          {"threads", s.threads},
-          {"updates_per_cpu_s", s.updates_per_cpu_s},
-          {"updates_per_wall_s", s.updates_per_wall_s},
-          {"setup_cpu_s", s.setup_cpu_s},
-          {"bytes_per_particle", s.bytes_per_particle},
-          {"fraction_of_fma", s.updates_per_cpu_s * s.flops_per_update / (machine.fma_gflops * 1e9)},
-          {"fraction_of_triad", s.updates_per_cpu_s * s.bytes_per_particle / (machine.triad_gbs * 1e9)}};
+/// Limits by number of threads; that of one core is always there.
+using Machines = std::map<int, bench::Machine>;
+
+Machines machines_of(const BenchCommand& command) {
+  Machines machines{{1, bench::measure_machine(1)}};
+  for (const int threads : command.threads)
+    if (!machines.count(threads)) machines[threads] = bench::measure_machine(threads);
+  return machines;
 }
 
-/// Slope of log(CPU time per step) over log(N), by case, where there are two sizes or more on one thread.
-Json exponents_of(const Json& rows) {
-  struct Sums {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  };
-  std::map<std::string, Sums> by_case;
-  for (const auto& row : rows) {
-    if (row["threads"] != 1) continue;
-    auto& s = by_case[row["case"].get<std::string>()];
-    const double x = std::log(row["n"].get<double>());
-    const double y = x - std::log(row["updates_per_cpu_s"].get<double>());
-    s.n += 1, s.x += x, s.y += y, s.xx += x * x, s.xy += x * y;
-  }
-  Json result = Json::object();
-  for (const auto& [name, s] : by_case) {
-    const double spread = s.n * s.xx - s.x * s.x;
-    if (spread > 0) result[name] = (s.n * s.xy - s.x * s.y) / spread;
-  }
-  return result;
+int run_kernels(const Session& session, const BenchCommand& command) {
+  Json rows = Json::array();
+  for (const auto& k : bench::measure_kernels(command.sizes.front(), command.seconds))
+    rows.push_back({{"kernel", k.kernel},
+                    {"cloud", k.cloud},
+                    {"n", k.particles},
+                    {"ns_per_particle", k.ns_per_particle},
+                    {"particles_per_cpu_s", 1e9 / k.ns_per_particle}});
+  session.write_table(rows);
+  session.write_json({{"rows", rows}});
+  return 0;
 }
 
 /// Every case at every size on every number of threads: each is a part of the sitting.
-Json measure_all(const Session& session, const BenchCommand& command, const bench::Machine& machine,
+Json measure_all(const Session& session, const BenchCommand& command, const Machines& machines,
                  Sitting& sitting) {
   const auto all = chosen(command);
   Json rows = Json::array();
   Progress progress("bench", session.progress());
   const auto runs = static_cast<double>(all.size() * command.sizes.size() * command.threads.size());
+  double done = 0;
   for (const auto& c : all)
     for (const long n : command.sizes)
       for (const int threads : command.threads) {
-        rows.push_back(sitting.part(fmt::format("{}, {} particles, {} threads", c.name, n, threads), [&] {
-          return row_of(c, bench::measure(c, n, threads, command.repeats, command.seconds), machine);
-        }));
-        progress.update(static_cast<double>(rows.size()) / runs);
+        if (c.most == 0 || n <= c.most)
+          rows.push_back(sitting.part(fmt::format("{}, {} particles, {} threads", c.name, n, threads), [&] {
+            return bench::row_of(c, bench::measure(c, n, threads, command.repeats, command.seconds),
+                                 machines.at(threads));
+          }));
+        progress.update(++done / runs);
       }
   return rows;
 }
 
-int run_bench(const Session& session, const BenchCommand& command) {
+void tell(std::ostream& out, const Machines& machines, const Json& result) {
+  for (const auto& [threads, m] : machines)
+    out << threads << (threads == 1 ? " core: " : " cores: ") << m.fma_gflops
+        << " GFLOP/s in fused multiply-adds, " << m.triad_gbs << " GB/s in the triad\n";
+  for (const auto& [name, exponent] : result["exponents"].items())
+    out << name << ": a step costs as N^" << exponent.get<double>() << ", its set-up as N^"
+        << result["setup_exponents"][name].get<double>() << '\n';
+  for (const auto& s : result["speed_ups"])
+    out << s["case"].get<std::string>() << ", N = " << s["n"] << ": " << s["threads"] << " threads are "
+        << s["speed_up"].get<double>() << " times as fast as one\n";
+}
+
+int run_bench(const Session& session, BenchCommand command) {
+  if (command.full) {
+    command.all = true;
+    command.sizes = {1000, 8000, 64000, 1000000, 4000000};
+    command.threads = {1, 2};
+  }
+  if (command.kernels) return run_kernels(session, command);
   chosen(command);  // a name that is not known is told before the machine is measured
-  const bench::Machine machine = bench::measure_machine();
+  const Machines machines = machines_of(command);
   const Json rows = in_one_sitting(
       session, command.sitting, {}, {fmt::format("bench {} {}", command.repeats, command.seconds)},
-      [&](Sitting& sitting) { return measure_all(session, command, machine, sitting); });
-  session.text() << "one core: " << machine.fma_gflops << " GFLOP/s in fused multiply-adds, "
-                 << machine.triad_gbs << " GB/s in the triad\n";
+      [&](Sitting& sitting) { return measure_all(session, command, machines, sitting); });
+  const Json result{{"machine", bench::json_of(machines)},
+                    {"rows", rows},
+                    {"exponents", bench::exponents_of(rows, bench::of_an_evaluation)},
+                    {"setup_exponents", bench::exponents_of(rows, bench::of_the_setup)},
+                    {"speed_ups", bench::speed_ups_of(rows)}};
+  tell(session.text(), machines, result);
   session.write_table(rows);
-  session.write_json({{"machine", {{"fma_gflops", machine.fma_gflops}, {"triad_gbs", machine.triad_gbs}}},
-                      {"rows", rows},
-                      {"exponents", exponents_of(rows)}});
+  session.write_json(result);
   return 0;
 }
 
@@ -118,9 +136,14 @@ void add_bench(CLI::App& program, Session& session) {
                   {"bench", "particle updates per second of whole runs, beside the machine's limits",
                    "plumb bench --case adjoint-verlet-3d --n 1000,8000 --seconds 0.05"},
                   {.table = true}, [&session, options] { return run_bench(session, *options); });
-  command.add_option("--case", options->only, "cases to run (all of them)")
+  command.add_option("--case", options->only, "cases to run (the main ones)")
       ->delimiter(',')
       ->type_name("NAME,..");
+  command.add_flag("--all", options->all, "every scheme, on lattices and jittered clouds");
+  command.add_flag("--full", options->full,
+                   "--all with N from 10^3 to 4 10^6 on 1 and 2 threads; some ten minutes");
+  command.add_flag("--kernels", options->kernels,
+                   "the loops one by one instead (Google Benchmark), at the first number of particles");
   command.add_option("--n", options->sizes, "numbers of particles, about")
       ->delimiter(',')
       ->check(CLI::Range(27L, 100000000L))

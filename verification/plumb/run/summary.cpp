@@ -7,6 +7,7 @@
 
 #include "plumb/run/inventory.hpp"
 #include "plumbline/output/progress.hpp"
+#include "plumbline/solid/traffic.hpp"
 
 namespace plumb {
 namespace {
@@ -113,7 +114,9 @@ Json summary(const FinishedRun<d>& run) {
       {"cpu_s", run.book.timing.cpu},
       {"particle_evaluations_per_s", static_cast<double>(work.particle_evaluations) / run.book.timing.wall}};
   json["work"] = {{"particle_evaluations", work.particle_evaluations},
-                  {"pair_evaluations", work.pair_evaluations}};
+                  {"pair_evaluations", work.pair_evaluations},
+                  {"bytes", std::llround(static_cast<double>(work.particle_evaluations) *
+                                         bytes_per_update(run.simulation.solid, run.simulation.stepper))}};
   const auto bytes = static_cast<double>(total_bytes(arrays_of(run.simulation)));
   json["memory"] = {{"bytes_per_particle", bytes / static_cast<double>(particles)},
                     {"peak_rss", peak_resident_bytes()}};
