@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 
-#include "plumbline/compatible/least_change.hpp"
 #include "plumbline/geometry/position_text.hpp"
 
 namespace plumb {
@@ -69,18 +68,19 @@ CompatibleReport make_compatible(Cloud<d>& cloud, std::vector<std::vector<BondCo
   report.divergence_defect = boundary.defect;
   report.divergence_remainder = boundary.remainder;
   AreaTable<d> table = area_table<d>(cloud, bonds, kernel, h, boundary.B);
-  if (options.volume_weight == 0) match_moments(table, cloud, surface);
-  const AreaTable<d> start = table;
-  const LeastChange found = least_change(table, options.volume_weight);
+  const std::vector<double> start = table.volume;
+  match_moments(table, cloud, surface);
+  const LeastChange found = least_change(table, cloud.X, options.volume_weight, options.solver);
   report.start_residual = found.start_residual;
   report.residual = found.residual;
   report.refinements = found.refinements;
+  report.iterations = found.iterations;
+  report.levels = found.levels;
   report.unknowns = found.unknowns;
-  for (std::size_t n = 0; n < table.pairs.size(); ++n)
-    report.largest_change = std::max(report.largest_change, (table.pairs[n].A - start.pairs[n].A).norm());
+  report.largest_change = found.largest_change;
   for (Index i = 0; i < cloud.size(); ++i)
     report.largest_volume_change =
-        std::max(report.largest_volume_change, std::abs(table.volume[i] / start.volume[i] - 1));
+        std::max(report.largest_volume_change, std::abs(table.volume[i] / start[i] - 1));
   check(table, cloud, report);
   write_back(table, cloud, bonds);
   return report;
