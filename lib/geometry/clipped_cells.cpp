@@ -30,17 +30,18 @@ template <int d>
 struct Clipper {
   const Shape<d>& shape;
   double spacing;
+  Vec<d> wall_normal = Vec<d>::Zero();  ///< of the box at the face that is being clipped
+  bool flat = false;                    ///< the particle lies on that face, and its simplices have no volume
   double volume = 0;
   Vec<d> moment = Vec<d>::Zero();
-  std::vector<Piece<d>> pieces;
+  std::vector<Piece<d>> pieces = {};
 
   double distance(const Vec<d>& X) const {
     const double found = shape.clip(X);
     return std::abs(found) < touching * spacing ? 0 : found;
   }
 
-  void add_face(const Simplex<d>& s, int opposite) {
-    const Vec<d> area = s.face(opposite);
+  void add_face(const Simplex<d>& s, int opposite, const Vec<d>& area) {
     const double size = area.norm();
     if (!(size > 0)) return;
     for (auto& piece : pieces)
@@ -58,12 +59,14 @@ struct Clipper {
     const double part = s.volume();
     volume += part;
     moment += part * s.middle();
-    if (s.wall >= 0) add_face(s, s.wall);
-    const auto touches = std::count(s.distance.begin(), s.distance.end(), 0.0);
-    if (touches == d)
-      add_face(s, static_cast<int>(
-                      std::find_if(s.distance.begin(), s.distance.end(), [](double x) { return x != 0; }) -
-                      s.distance.begin()));
+    if (s.wall >= 0) {
+      const Vec<d> area = s.face(s.wall);
+      add_face(s, s.wall, area.dot(wall_normal) < 0 ? Vec<d>(-area) : area);
+    }
+    if (flat || std::count(s.distance.begin(), s.distance.end(), 0.0) != d) return;
+    const auto inside = std::find_if(s.distance.begin(), s.distance.end(), [](double x) { return x != 0; });
+    const int opposite = static_cast<int>(inside - s.distance.begin());
+    add_face(s, opposite, s.face(opposite));
   }
 
   /// Where the edge from a point inside to one outside meets the surface (false position, Illinois).
@@ -140,6 +143,10 @@ template <int d>
 void clip_cell(Clipper<d>& clipper, const Vec<d>& X, const VoronoiCell<d>& cell) {
   for (std::size_t n = 0; n < cell.faces.size(); ++n) {
     const auto& face = cell.faces[n];
+    clipper.wall_normal = Vec<d>::Zero();
+    if (const auto wall = -1 - cell.beyond[n]; wall >= 0) clipper.wall_normal[wall / 2] = wall % 2 ? 1 : -1;
+    clipper.flat =
+        cell.beyond[n] < 0 && std::abs(clipper.wall_normal.dot(face[0] - X)) < 1e-9 * clipper.spacing;
     for (std::size_t k = 1; k + 1 < face.size() + (d == 2 ? 1 : 0); ++k) {
       Simplex<d> s;
       s.corner[0] = X;
@@ -162,7 +169,7 @@ ClippedCells<d> clipped_cells(const std::vector<Vec<d>>& X, const Shape<d>& shap
   Shape<d> whole = shape;
   if (!whole.clip) whole.clip = [](const Vec<d>&) { return -std::numeric_limits<double>::infinity(); };
   for_each_voronoi_cell<d>(X, shape.box, true, [&](const VoronoiCell<d>& cell) {
-    Clipper<d> clipper{whole, spacing, 0, Vec<d>::Zero(), {}};
+    Clipper<d> clipper{whole, spacing};
     clip_cell(clipper, X[cell.owner], cell);
     cells.volume[cell.owner] = clipper.volume;
     if (clipper.volume > 0) cells.centroid[cell.owner] = clipper.moment / clipper.volume;

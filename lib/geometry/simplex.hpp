@@ -27,7 +27,7 @@ struct Simplex {
     return std::abs(edges.determinant()) / (d == 2 ? 2 : 6);
   }
 
-  /// Area vector of the face opposite to the corner, turned away from it.
+  /// Area vector of the face opposite to the corner, turned away from it (either way in a flat simplex).
   Vec<d> face(int opposite) const {
     std::array<Vec<d>, d> p;
     for (int k = 0, n = 0; k <= d; ++k)
