@@ -54,8 +54,8 @@ Manufactured<d> solution_of(const Study& study);
 template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time);
 
-/// The study's body with this spacing [m]. Boxes are built as in any scene; annuli as rings (layout node) or
-/// as a clipped lattice (layout cell).
+/// The study's body with this spacing [m]. Boxes are built as in any scene; annuli as rings (layout node), as
+/// a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is filled.
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           bool body_force);

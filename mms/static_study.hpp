@@ -1,9 +1,11 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mms/study.hpp"
+#include "plumbline/compatible/compatible.hpp"
 
 namespace plumb::mms {
 
@@ -15,8 +17,9 @@ struct StaticLevel {
   /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
   /// body force, so that it is a vibration.
   std::optional<double> frequency_error;
-  double setup_s = 0;  ///< CPU time of the bond table [s]
-  double solve_s = 0;  ///< CPU time of assembly and solution [s]
+  std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
+  double setup_s = 0;                                  ///< CPU time of the bond table [s]
+  double solve_s = 0;                                  ///< CPU time of assembly and solution [s]
 };
 
 struct StaticResult {
