@@ -1,8 +1,6 @@
 #include "plumbline/compatible/bond_operator.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 
 namespace plumb {
 namespace {
@@ -26,24 +24,6 @@ typename BondOperator<d>::Row moments(const Vec<d>& half) {
   p[0] = 1;
   p.template tail<d>() = half;
   return p;
-}
-
-/// Rows of G: what a field differs by from the linear fit of its neighbours, weighted as the bonds are.
-/// Scaled so that the absolute values of a row add up to 1.
-template <int d>
-void make_fits(BondOperator<d>& N) {
-  const Index n = N.particles();
-  N.fit.resize(n);
-  N.own_fit.resize(n);
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < n; ++i) {
-    const auto fit = N.inverse_diagonal[i].row(0).transpose().eval();
-    double sum = 1;
-    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b)
-      sum += std::abs(N.weight[b] * fit.dot(moments<d>(N.half(i, b))));
-    N.fit[i] = fit / sum;
-    N.own_fit[i] = 1 / sum;
-  }
 }
 
 }  // namespace
@@ -80,42 +60,14 @@ BondOperator<d> bond_operator(const AreaTable<d>& table, const std::vector<Vec<d
     }
     N.inverse_diagonal[i] = pseudo_inverse<d + 1>(diagonal);
   }
-  if (volume_weight > 0) make_fits(N);
   return N;
 }
 
 template <int d>
-std::vector<double> traces(const Multipliers<d>& x) {
-  std::vector<double> trace(x.size());
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < static_cast<Index>(x.size()); ++i) {
-    trace[i] = x[i](0, 1);
-    for (int a = 1; a < d; ++a) trace[i] += x[i](a, 1 + a);
-  }
-  return trace;
-}
-
-template <int d>
-std::vector<double> volume_answer(const BondOperator<d>& N, const std::vector<double>& trace) {
-  const Index n = N.particles();
-  std::vector<double> difference(n), answer(n);
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < n; ++i) {
-    double sum = N.own_fit[i] * trace[i];
-    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b) sum += fit_weight(N, i, b) * trace[N.other[b]];
-    difference[i] = N.volume_weight * sum;
-  }
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < n; ++i) {
-    double sum = N.own_fit[i] * difference[i];
-    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b) {
-      const Index j = N.other[b];
-      const Vec<d> half = N.half(i, b);  // -half is that of j
-      sum -= N.weight[b] * (N.fit[j][0] - N.fit[j].template tail<d>().dot(half)) * difference[j];
-    }
-    answer[i] = sum;
-  }
-  return answer;
+double trace(const MultiplierBlock<d>& x) {
+  double sum = x(0, 1);
+  for (int a = 1; a < d; ++a) sum += x(a, 1 + a);
+  return sum;
 }
 
 template <int d>
@@ -141,16 +93,16 @@ template <int d>
 void apply(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<d>& result) {
   apply_bonds(N, x, result);
   if (N.volume_weight == 0) return;
-  const std::vector<double> volumes = volume_answer(N, traces<d>(x));
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < N.particles(); ++i)
-    for (int a = 0; a < d; ++a) result[i](a, 1 + a) += volumes[i];
+  for (Index i = 0; i < N.particles(); ++i) {
+    const double answer = N.volume_weight * trace<d>(x[i]);
+    for (int a = 0; a < d; ++a) result[i](a, 1 + a) += answer;
+  }
 }
 
 #define PLUMB_INSTANTIATE(d)                                                                          \
   template BondOperator<d> bond_operator<d>(const AreaTable<d>&, const std::vector<Vec<d>>&, double); \
-  template std::vector<double> traces<d>(const Multipliers<d>&);                                      \
-  template std::vector<double> volume_answer<d>(const BondOperator<d>&, const std::vector<double>&);  \
+  template double trace<d>(const MultiplierBlock<d>&);                                                \
   template void apply_bonds<d>(const BondOperator<d>&, const Multipliers<d>&, Multipliers<d>&);       \
   template void apply<d>(const BondOperator<d>&, const Multipliers<d>&, Multipliers<d>&);
 PLUMB_INSTANTIATE(1)

@@ -26,20 +26,11 @@ struct BondOperator {
   std::vector<std::int32_t> other;       ///< per bond, both directions
   std::vector<double> weight;            ///< per bond: w_ij
   std::vector<Square> inverse_diagonal;  ///< of one component, with fixed volumes
-  double volume_weight;                  ///< w_V; 0: fixed volumes, and what follows is empty
-  std::vector<Row> fit;                  ///< rows of G, THEORY (11.8): G_ij = -w_ij fit_i . (1, X_ij/2)
-  std::vector<double> own_fit;           ///< G_ii
+  double volume_weight;                  ///< w_V; 0: fixed volumes
 
   Index particles() const { return static_cast<Index>(begin.size()) - 1; }
   Vec<d> half(Index i, Index bond) const { return 0.5 * (X[other[bond]] - X[i]); }
 };
-
-/// G_ij of a bond of i.
-template <int d>
-double fit_weight(const BondOperator<d>& N, Index i, Index bond) {
-  return -N.weight[bond] *
-         (N.fit[i][0] + N.fit[i].template tail<d>().dot(0.5 * (N.X[N.other[bond]] - N.X[i])));
-}
 
 /// X: positions [m].
 template <int d>
@@ -49,13 +40,9 @@ BondOperator<d> bond_operator(const AreaTable<d>& table, const std::vector<Vec<d
 template <int d>
 void apply(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<d>& result);
 
-/// w_V G^T G trace: by how much volumes shrink.
+/// tr L of one particle: its volume shrinks by w_V times that.
 template <int d>
-std::vector<double> volume_answer(const BondOperator<d>& N, const std::vector<double>& trace);
-
-/// tr L of every particle.
-template <int d>
-std::vector<double> traces(const Multipliers<d>& x);
+double trace(const MultiplierBlock<d>& x);
 
 /// The same as if volumes were fixed.
 template <int d>

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "plumbline/compatible/projection_cache.hpp"
 #include "plumbline/geometry/position_text.hpp"
 
 namespace plumb {
@@ -56,6 +57,31 @@ void check(const AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleRep
                        "move the particle, use a larger beta, or volumes = \"fixed\"");
 }
 
+/// The table from the cache if it meets the constraints, otherwise the least change, which the cache then
+/// keeps.
+template <int d>
+LeastChange project(AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleOptions<d>& options,
+                    CompatibleReport& report) {
+  if (options.cache.empty()) return least_change(table, cloud.X, options.volume_weight, options.solver);
+  const auto file = options.cache / projection_name(table, options.volume_weight);
+  AreaTable<d> kept = table;
+  if (read_projection(file, kept)) {
+    LeastChange found{};
+    found.start_residual = largest<d>(missing(table));
+    found.residual = largest<d>(missing(kept));
+    for (std::size_t n = 0; n < table.pairs.size(); ++n)
+      found.largest_change = std::max(found.largest_change, (kept.pairs[n].A - table.pairs[n].A).norm());
+    if (found.residual < tolerance) {
+      table = std::move(kept);
+      report.from_cache = true;
+      return found;
+    }
+  }
+  const LeastChange found = least_change(table, cloud.X, options.volume_weight, options.solver);
+  if (found.residual < tolerance) write_projection(file, table);
+  return found;
+}
+
 }  // namespace
 
 template <int d>
@@ -69,8 +95,8 @@ CompatibleReport make_compatible(Cloud<d>& cloud, std::vector<std::vector<BondCo
   report.divergence_remainder = boundary.remainder;
   AreaTable<d> table = area_table<d>(cloud, bonds, kernel, h, boundary.B);
   const std::vector<double> start = table.volume;
-  match_moments(table, cloud, surface);
-  const LeastChange found = least_change(table, cloud.X, options.volume_weight, options.solver);
+  if (options.volume_weight == 0) match_moments(table, cloud, surface);
+  const LeastChange found = project(table, cloud, options, report);
   report.start_residual = found.start_residual;
   report.residual = found.residual;
   report.refinements = found.refinements;

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -11,14 +12,15 @@ namespace plumb {
 /// How a bond table is made compatible. The start table is the one of the bond options' estimator.
 template <int d>
 struct CompatibleOptions {
-  /// How readily volumes change from one particle to the next, relative to area vectors; 0: they are fixed.
-  /// Before, they get the smallest linear change that gives the body its volume and its centroid. The
-  /// smaller, the nearer they stay to Voronoi's and the safer from turning negative on irregular clouds:
-  /// measured from 1e-1 to 1e-3.
-  double volume_weight = 1e-3;
+  /// How readily volumes change, relative to area vectors; 0: they are fixed but for the smallest linear
+  /// change that gives the body its volume and its centroid. The smaller, the nearer they stay to Voronoi's
+  /// and the safer from turning negative on irregular clouds (measured from 1e-1 to 1e-6), and the fewer
+  /// iterations large clouds take.
+  double volume_weight = 1e-5;
   /// The body's surface; box_surface unless another shape is given.
   std::function<Surface<d>(const Cloud<d>&)> surface = box_surface<d>;
   ProjectionSolver solver = ProjectionSolver::automatic;  ///< by the number of particles
+  std::filesystem::path cache;  ///< folder of tables that were projected before; empty: none is kept
 };
 
 /// What the projection found and did.
@@ -32,7 +34,8 @@ struct CompatibleReport {
   int refinements = 0;               ///< solutions, each for what the ones before left
   int iterations = 0;                ///< of the conjugate gradients; 0: solved directly
   int levels = 0;                    ///< of their V-cycle
-  Index unknowns = 0;                ///< of the linear system
+  Index unknowns = 0;                ///< of the linear system; 0: nothing was solved
+  bool from_cache = false;           ///< the table was read, and its constraints checked
 };
 
 /// Projects the stencils of all particles onto area vectors that are antisymmetric, closed and exact: the

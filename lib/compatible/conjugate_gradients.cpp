@@ -35,8 +35,8 @@ void combine(double a, const Multipliers<d>& x, double b, Multipliers<d>& y) {
 }  // namespace
 
 template <int d>
-int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multilevel, Multipliers<d> r,
-                        double goal, Multipliers<d>& x) {
+int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multilevel,
+                        const QuadraticFields<d>& fields, Multipliers<d> r, double goal, Multipliers<d>& x) {
   x.assign(r.size(), MultiplierBlock<d>::Zero());
   Multipliers<d> z = x, p = x, Np = x;
   double before = 0, least = largest<d>(r);
@@ -45,6 +45,7 @@ int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multileve
     if (!(now > goal) || now > diverged * least) return n;
     least = std::min(least, now);
     precondition(N, multilevel, r, z);
+    if (N.volume_weight > 0) add_quadratic_part<d>(fields, N.X, r, z);
     const double rz = product<d>(r, z);
     combine<d>(1, z, n == 0 ? 0 : rz / before, p);
     before = rz;
@@ -57,11 +58,11 @@ int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multileve
   return most_iterations;
 }
 
-template int solve_by_iterations<1>(const BondOperator<1>&, const Multilevel<1>&, Multipliers<1>, double,
-                                    Multipliers<1>&);
-template int solve_by_iterations<2>(const BondOperator<2>&, const Multilevel<2>&, Multipliers<2>, double,
-                                    Multipliers<2>&);
-template int solve_by_iterations<3>(const BondOperator<3>&, const Multilevel<3>&, Multipliers<3>, double,
-                                    Multipliers<3>&);
+template int solve_by_iterations<1>(const BondOperator<1>&, const Multilevel<1>&, const QuadraticFields<1>&,
+                                    Multipliers<1>, double, Multipliers<1>&);
+template int solve_by_iterations<2>(const BondOperator<2>&, const Multilevel<2>&, const QuadraticFields<2>&,
+                                    Multipliers<2>, double, Multipliers<2>&);
+template int solve_by_iterations<3>(const BondOperator<3>&, const Multilevel<3>&, const QuadraticFields<3>&,
+                                    Multipliers<3>, double, Multipliers<3>&);
 
 }  // namespace plumb

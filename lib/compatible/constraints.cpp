@@ -19,20 +19,6 @@ Row<d> derivative(const AreaVector<d>& pair, double sign) {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// w_V G^T G of THEORY (11.8).
-template <int d>
-Eigen::SparseMatrix<double> volume_matrix(const BondOperator<d>& N) {
-  Entries entries;
-  for (Index i = 0; i < N.particles(); ++i) {
-    entries.emplace_back(i, i, N.own_fit[i]);
-    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b)
-      entries.emplace_back(i, N.other[b], fit_weight(N, i, b));
-  }
-  Eigen::SparseMatrix<double> G(N.particles(), N.particles());
-  G.setFromTriplets(entries.begin(), entries.end());
-  return N.volume_weight * G.transpose() * G;
-}
-
 }  // namespace
 
 template <int d>
@@ -59,8 +45,7 @@ template <int d>
 void add_multipliers(AreaTable<d>& table, const BondOperator<d>& N, const Multipliers<d>& x) {
   for (auto& pair : table.pairs) pair.A += image(pair, x);
   if (N.volume_weight == 0) return;
-  const std::vector<double> answer = volume_answer(N, traces<d>(x));
-  for (Index i = 0; i < table.particles(); ++i) table.volume[i] -= answer[i];
+  for (Index i = 0; i < table.particles(); ++i) table.volume[i] -= N.volume_weight * trace<d>(x[i]);
 }
 
 template <int d>
@@ -83,16 +68,10 @@ Eigen::SparseMatrix<double> normal_matrix(const AreaTable<d>& table, const BondO
     add(pair.j, pair.j, q, q, pair.weight);
     add(pair.j, pair.i, q, p, pair.weight);
   }
-  if (coupled) {  // volumes join L_11, L_22, ..
-    const auto K = volume_matrix(N);
-    for (Index k = 0; k < K.outerSize(); ++k)
-      for (Eigen::SparseMatrix<double>::InnerIterator at(K, k); at; ++at)
-        for (int e = 0; e < d; ++e)
-          for (int c = 0; c < d; ++c) {
-            const Index row = at.row() * rows + e * n + 1 + e, column = at.col() * rows + c * n + 1 + c;
-            if (row >= column) entries.emplace_back(row, column, at.value());
-          }
-  }
+  for (Index i = 0; coupled && i < table.particles(); ++i)  // volumes join L_11, L_22, ..
+    for (int c = 0; c < d; ++c)
+      for (int e = c; e < d; ++e)
+        entries.emplace_back(i * rows + e * n + 1 + e, i * rows + c * n + 1 + c, N.volume_weight);
   Eigen::SparseMatrix<double> matrix(rows * table.particles(), rows * table.particles());
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;

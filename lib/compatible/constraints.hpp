@@ -10,7 +10,7 @@ template <int d>
 Multipliers<d> missing(const AreaTable<d>& table);
 
 /// Adds the weighted image of multipliers: A_ij += w_ij ((l_i - l_j) + (L_i + L_j) X_ij / 2), and
-/// V -= w_V G^T G tr L. THEORY (11.5).
+/// V_i -= w_V tr L_i. THEORY (11.5).
 template <int d>
 void add_multipliers(AreaTable<d>& table, const BondOperator<d>& N, const Multipliers<d>& x);
 

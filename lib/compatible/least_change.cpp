@@ -102,16 +102,16 @@ template <int d>
 void iterate(Refinement<d>& refinement) {
   const auto& N = refinement.N;
   const Multilevel<d> levels = multilevel(N);
-  const QuadraticFields<d> quadratic = quadratic_fields<d>(N.X);
+  const QuadraticFields<d> quadratic = quadratic_fields<d>(N);
   LeastChange& found = refinement.found;
   found.levels = static_cast<int>(levels.levels.size()) + 1;
   found.unknowns = N.particles() * d * (d + 1);
   Multipliers<d> x;
   while (found.residual > iterated_goal && found.refinements < most_refinements) {
     Multipliers<d> right = refinement.wrong;
-    remove_quadratics(quadratic, N.X, right);
+    remove_null_part<d>(quadratic, N.X, right);
     const double goal = std::max(digits * found.residual, iterated_goal / 2);
-    found.iterations += solve_by_iterations(N, levels, std::move(right), goal, x);
+    found.iterations += solve_by_iterations(N, levels, quadratic, std::move(right), goal, x);
     if (!refinement.step(x, 0.5)) return;
   }
 }

@@ -13,7 +13,7 @@ SplineGrid<d> spline_grid(const Vec<d>& origin, const Vec<d>& spacing, const std
   SplineGrid<d> grid{origin, spacing, cells, {}, 1};
   for (int k = 0; k < d; ++k) {
     grid.stride[k] = grid.places;
-    grid.places *= grid.splines(k) + 2 * reach;
+    grid.places *= grid.splines(k) + 2 * spline_reach;
   }
   return grid;
 }

@@ -6,10 +6,10 @@
 namespace plumb {
 
 /// Number of places that splines reach beyond their own along an axis: those of a row of the normal matrix.
-inline constexpr int reach = 4;
+inline constexpr int spline_reach = 4;
 
-/// Cubic B-splines on a regular grid, cells[k] + 3 of them along axis k, in an array with `reach` empty
-/// places on each side, so that no loop asks where the grid ends.
+/// Cubic B-splines on a regular grid, cells[k] + 3 of them along axis k, in an array with `spline_reach`
+/// empty places on each side, so that no loop asks where the grid ends.
 template <int d>
 struct SplineGrid {
   Vec<d> origin, spacing;
@@ -20,12 +20,12 @@ struct SplineGrid {
   Index splines(int axis) const { return cells[axis] + 3; }
   Index place(const std::array<Index, d>& spline) const {
     Index at = 0;
-    for (int k = 0; k < d; ++k) at += (spline[k] + reach) * stride[k];
+    for (int k = 0; k < d; ++k) at += (spline[k] + spline_reach) * stride[k];
     return at;
   }
   std::array<Index, d> spline(Index at) const {
     std::array<Index, d> k;
-    for (int a = d; a-- > 0; at %= stride[a]) k[a] = at / stride[a] - reach;
+    for (int a = d; a-- > 0; at %= stride[a]) k[a] = at / stride[a] - spline_reach;
     return k;
   }
 };

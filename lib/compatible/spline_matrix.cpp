@@ -8,7 +8,7 @@ namespace {
 constexpr int power(int base, int exponent) {
   return exponent == 0 ? 1 : base * power(base, exponent - 1);
 }
-constexpr int width = 2 * reach + 1;  ///< of a row along an axis
+constexpr int width = 2 * spline_reach + 1;  ///< of a row along an axis
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -150,7 +150,7 @@ SplineMatrix<d> spline_matrix(const BondOperator<d>& N, const SplineGrid<d>& gri
           for (int c = 0; c < window; ++c) {
             int offset = 0;
             for (int k = 0, a = m, b = c, step = 1; k < d; ++k, a /= 4, b /= 6, step *= width)
-              offset += (b % 6 - 1 - a % 4 + reach) * step;
+              offset += (b % 6 - 1 - a % 4 + spline_reach) * step;
             row[offset] += product(m, c);
           }
         }
@@ -173,16 +173,17 @@ Index half_up(Index n) {
   return -half_down(-n);
 }
 
-/// Replaces the axis `axis` of a row, whose columns are k - reach .. k + reach, by coarse columns; the coarse
-/// offset is counted from `base`. Sizes of axes before and after are products of what they have now.
+/// Replaces the axis `axis` of a row, whose columns are k - spline_reach .. k + spline_reach, by coarse
+/// columns; the coarse offset is counted from `base`. Sizes of axes before and after are products of what
+/// they have now.
 void coarsen_axis(const std::vector<double>& from, std::vector<double>& to, Index before, Index after,
                   Index k, Index base) {
   to.assign(before * width * after, 0.0);
   for (Index o = 0; o < width; ++o) {
-    const Index column = k + o - reach;
+    const Index column = k + o - spline_reach;
     for (Index K = half_up(column - 1); K <= half_down(column + 3); ++K) {
       const double weight = two_scale[column - 2 * K + 3];
-      const Index O = K - base + reach;
+      const Index O = K - base + spline_reach;
       if (O < 0 || O >= width) continue;
       for (Index a = 0; a < after; ++a)
         for (Index b = 0; b < before; ++b)
@@ -225,7 +226,7 @@ SplineMatrix<d> coarser(const SplineMatrix<d>& fine) {
     now.assign(fine.row(r), fine.row(r) + row_size<d>);
     Index before = 1, after = row_size<d> / width;
     for (int a = 0; a < d; ++a) {
-      base[a] = half_up(k[a] - 5) + reach;  // the first coarse column is base - reach
+      base[a] = half_up(k[a] - 5) + spline_reach;  // the first coarse column is base - spline_reach
       coarsen_axis(now, next, before, after, k[a], base[a]);
       std::swap(now, next);
       before *= width;
@@ -259,9 +260,9 @@ void apply(const SplineMatrix<d>& matrix, const Coefficients<d>& x, Coefficients
   constexpr int lines = row_size<d> / width;
   std::array<Index, lines> offset;
   for (int n = 0; n < lines; ++n) {
-    offset[n] = -reach;
+    offset[n] = -spline_reach;
     for (int k = 1, rest = n; k < d; ++k, rest /= width)
-      offset[n] += (rest % width - reach) * matrix.grid.stride[k];
+      offset[n] += (rest % width - spline_reach) * matrix.grid.stride[k];
   }
 #pragma omp parallel for schedule(static)
   for (Index r = 0; r < matrix.rows(); ++r) {

@@ -33,6 +33,7 @@ Compatible read_compatible(const Section& root, const Method& method) {
   compatible.start = section->choice_or("start", compatible.start, start_table_names());
   compatible.volumes = section->choice_or("volumes", compatible.volumes, {"unknown", "fixed"});
   compatible.surface = section->choice_or("surface", compatible.surface, {"shape", "estimated"});
+  if (section->has("cache")) compatible.cache = section->text("cache");
   section->reject_unknown();
   return compatible;
 }

@@ -55,6 +55,7 @@ struct Compatible {
   std::string start = "improved";   ///< standard | improved: the table that is projected
   std::string volumes = "unknown";  ///< unknown | fixed: volumes found with the area vectors, or Voronoi's
   std::string surface = "shape";    ///< shape | estimated: the body's own, or one guessed from the particles
+  std::string cache;                ///< folder of tables that were projected before; empty: none is kept
 };
 
 /// [method]: the scheme. The defaults are the ones method.md proposes for users: the adjoint force needs no
