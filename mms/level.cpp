@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
@@ -64,28 +65,51 @@ Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacin
   return scene;
 }
 
-template <int d>
-Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
-  if constexpr (d == 2) {
-    const Domain<d>& domain = solution.domain;
-    if (domain.shape == Domain<d>::Shape::annulus) {
-      if (study.body.layout != Layout::node || study.body.cloud != "lattice" || study.body.jitter > 0) {
-        const Shape<2> shape = annulus_shape(domain.inner, domain.outer);
-        Cloud<2> cloud = shaped_cloud<2>(shape, {spacing, study.body.layout, study.body.cloud == "blue-noise",
-                                                 study.body.jitter, study.body.seed});
-        const Surface<2> surface = clipped_surface<2>(cloud, shape);
-        return make_simulation<d>(scene, std::move(cloud), std::optional(surface));
-      }
-      Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
-      const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
-      return make_simulation<d>(scene, std::move(polar), std::optional(surface));
-    }
-  }
-  return make_simulation<d>(scene);
+Sitting::Json json_of(const ErrorNorms& norms) {
+  Sitting::Json part;
+  for (const NormName& norm : norm_names) part[std::string(norm.name)] = norms.*norm.value;
+  return part;
+}
+
+ErrorNorms norms_of(const Sitting::Json& part) {
+  ErrorNorms norms;
+  for (const NormName& norm : norm_names) norms.*norm.value = number_or_nan(part[std::string(norm.name)]);
+  return norms;
 }
 
 }  // namespace
+
+Sitting::Json json_of(const StudyLevel& level) {
+  return {{"n", level.n},
+          {"d", level.d},
+          {"dt", level.dt},
+          {"steps", level.steps},
+          {"nodal", json_of(level.nodal)},
+          {"gauss", level.gauss ? json_of(*level.gauss) : Sitting::Json()},
+          {"exact", json_of(level.exact)},
+          {"exact_gauss", level.exact_gauss ? json_of(*level.exact_gauss) : Sitting::Json()},
+          {"cpu_s", level.cpu_s},
+          {"wall_s", level.wall_s},
+          {"pair_evaluations", level.pair_evaluations},
+          {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()}};
+}
+
+StudyLevel level_of(const Sitting::Json& part) {
+  StudyLevel level;
+  level.n = part["n"];
+  level.d = part["d"];
+  level.dt = part["dt"];
+  level.steps = part["steps"];
+  level.nodal = norms_of(part["nodal"]);
+  if (!part["gauss"].is_null()) level.gauss = norms_of(part["gauss"]);
+  level.exact = norms_of(part["exact"]);
+  if (!part["exact_gauss"].is_null()) level.exact_gauss = norms_of(part["exact_gauss"]);
+  level.cpu_s = part["cpu_s"];
+  level.wall_s = part["wall_s"];
+  level.pair_evaluations = part["pair_evaluations"];
+  if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
+  return level;
+}
 
 bool wants_gauss(const Study& study) {
   return study.quadrature != "nodal";
@@ -110,16 +134,38 @@ Manufactured<d> solution_of(const Study& study) {
 
 template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time) {
-  return [motion_at = solution.motion, time](const Vec<d>& X) -> PointValue<d> {
-    const Motion<d> motion = motion_at(X, time);
-    return {motion.displacement, motion.F - Mat<d>::Identity()};
-  };
+  return
+      [motion_at = solution.motion, stress = solution.first_piola, time](const Vec<d>& X) -> PointValue<d> {
+        const Motion<d> motion = motion_at(X, time);
+        return {motion.displacement, motion.F - Mat<d>::Identity(), motion.velocity, stress(motion.F)};
+      };
+}
+
+template <int d>
+Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
+  const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
+  if constexpr (d == 2) {
+    const Domain<d>& domain = solution.domain;
+    if (domain.shape == Domain<d>::Shape::annulus) {
+      if (study.body.layout != Layout::node || study.body.cloud != "lattice" || study.body.jitter > 0) {
+        const Shape<2> shape = annulus_shape(domain.inner, domain.outer);
+        Cloud<2> cloud = shaped_cloud<2>(shape, {spacing, study.body.layout, study.body.cloud == "blue-noise",
+                                                 study.body.jitter, study.body.seed});
+        const Surface<2> surface = clipped_surface<2>(cloud, shape);
+        return make_simulation<d>(scene, std::move(cloud), std::optional(surface));
+      }
+      Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
+      const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
+      return make_simulation<d>(scene, std::move(polar), std::optional(surface));
+    }
+  }
+  return make_simulation<d>(scene);
 }
 
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           bool body_force) {
-  DrivenBody<d> body{simulation_of(study, solution, spacing), {}};
+  DrivenBody<d> body{simulation_of<d>(study, solution, spacing), {}};
   Simulation<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
                        {study.body.layout, body_force, study.held_band});
@@ -127,7 +173,8 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
 }
 
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force) {
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
+                      Sitting& sitting) {
   DrivenBody<d> body = driven_body(study, solution, spacing, body_force);
   Simulation<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
@@ -136,7 +183,8 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.d = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
-  const RunResult result = run(solid, simulation.state, body.stepper, simulation.control);
+  const RunResult result = run<d>(solid, simulation.state, body.stepper, simulation.control,
+                                  [&](const Solid<d>&, const State<d>&) { return sitting.check(), true; });
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;
@@ -144,7 +192,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.pair_evaluations = solid.work.pair_evaluations;
   if (result.failure)
     out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
-  out.values = nodal_values(solid, simulation.state);
+  out.values = nodal_values<d>(solid, simulation.state, solution.first_piola);
   if (solid.bonds.mirror) out.walls = solid.bonds.mirror->walls;
   out.cloud = std::move(solid.cloud);
   return out;
@@ -153,8 +201,10 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
 template <int d>
 void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   StudyLevel& level = run.level;
+  level.exact = nodal_size<d>(run.cloud, exact);
+  if (wants_gauss(study)) level.exact_gauss = gauss_size<d>(run.cloud.box, exact);
   if (level.failure) {
-    level.nodal = {nan, nan, nan};
+    level.nodal = {nan, nan, nan, nan, nan};
     if (wants_gauss(study)) level.gauss = level.nodal;
     return;
   }
@@ -165,11 +215,12 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                             \
-  template Manufactured<d> solution_of<d>(const Study&);                                     \
-  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                     \
-  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool); \
-  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool);     \
+#define PLUMBLINE_INSTANTIATE(d)                                                                   \
+  template Manufactured<d> solution_of<d>(const Study&);                                           \
+  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                           \
+  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);           \
+  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool);       \
+  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&); \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -5,6 +5,7 @@
 
 #include "mms/manufactured.hpp"
 #include "mms/norms.hpp"
+#include "plumbline/output/sitting.hpp"
 #include "plumbline/scene/simulation.hpp"
 #include "plumbline/scene/study.hpp"
 
@@ -16,9 +17,11 @@ struct StudyLevel {
   double d = 0;   ///< spacing [m]
   double dt = 0;  ///< first time step [s]
   long steps = 0;
-  ErrorNorms nodal;                 ///< NaN if the run failed
-  std::optional<ErrorNorms> gauss;  ///< by the paper's quadrature, if asked for
-  double cpu_s = 0, wall_s = 0;     ///< of the time steps, without set-up
+  ErrorNorms nodal;                       ///< NaN if the run failed
+  std::optional<ErrorNorms> gauss;        ///< by the paper's quadrature, if asked for
+  ErrorNorms exact;                       ///< norms of the exact field: what errors are relative to
+  std::optional<ErrorNorms> exact_gauss;  ///< by the paper's quadrature, if asked for
+  double cpu_s = 0, wall_s = 0;           ///< of the time steps, without set-up
   std::int64_t pair_evaluations = 0;
   std::optional<std::string> failure;  ///< cause and time, if the run became unstable
 };
@@ -39,6 +42,10 @@ struct DrivenBody {
   Stepper<d> stepper;
 };
 
+/// A level as a part of a sitting, and back.
+Sitting::Json json_of(const StudyLevel& level);
+StudyLevel level_of(const Sitting::Json& part);
+
 /// Which norms a study asks for.
 bool wants_gauss(const Study& study);
 bool wants_nodal(const Study& study);
@@ -50,21 +57,27 @@ double end_time(const Study& study);
 template <int d>
 Manufactured<d> solution_of(const Study& study);
 
-/// The exact displacement and its gradient at one time [s].
+/// The exact displacement, gradient, velocity and stress at one time [s].
 template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time);
 
-/// The study's body with this spacing [m]. Boxes are built as in any scene; annuli as rings (layout node), as
-/// a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is filled.
+/// The study's body with this spacing [m], at rest and without loads. Boxes are built as in any scene; annuli
+/// as rings (layout node), as a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is
+/// filled.
+template <int d>
+Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
+
+/// The same, made to follow the solution.
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           bool body_force);
 
-/// Runs it to the end time; norms are left to measure().
+/// Runs it to the end time, unless the sitting ends; norms are left to measure().
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force);
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
+                      Sitting& sitting);
 
-/// The norms of a field against the exact one; NaN for a broken run.
+/// The norms of a field against the exact one (NaN for a broken run), and of the exact one itself.
 template <int d>
 void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run);
 

@@ -41,10 +41,15 @@ struct Sums {
     const double error = (value.u - exact.u).squaredNorm();
     sum.l2 += weight * error;
     sum.h1 += weight * (value.gradient - exact.gradient).squaredNorm();
+    sum.velocity_l2 += weight * (value.v - exact.v).squaredNorm();
+    sum.stress_l2 += weight * (value.stress - exact.stress).squaredNorm();
     if (!std::isnan(sum.linf) && !(std::sqrt(error) <= sum.linf))
       sum.linf = std::sqrt(error);  // NaN enters and stays
   }
-  ErrorNorms norms() const { return {std::sqrt(sum.l2), std::sqrt(sum.h1), sum.linf}; }
+  ErrorNorms norms() const {
+    return {std::sqrt(sum.l2), std::sqrt(sum.h1), sum.linf, std::sqrt(sum.velocity_l2),
+            std::sqrt(sum.stress_l2)};
+  }
 };
 
 template <int d>
@@ -52,7 +57,7 @@ class Interpolator {
  public:
   Interpolator(const Cloud<d>& cloud, const NodalValues<d>& values, const Interpolation<d>& how)
       : cloud_(with_images(cloud, how)),
-        u_(displacements(cloud, values, how)),
+        values_(with_image_values(cloud, values, how)),
         how_(how),
         search_(cloud_.X) {}
 
@@ -63,9 +68,11 @@ class Interpolator {
     const CorrectedKernel<d> kernel = corrected(X);
     PointValue<d> value;
     for (std::size_t k = 0; k < found_.size(); ++k) {
-      const Vec<d>& u = u_[static_cast<std::size_t>(found_[k])];
-      value.u += kernel.weight[k] * u;
-      value.gradient += u * kernel.gradient[k].transpose();
+      const PointValue<d>& at = values_[static_cast<std::size_t>(found_[k])];
+      value.u += kernel.weight[k] * at.u;
+      value.gradient += at.u * kernel.gradient[k].transpose();
+      value.v += kernel.weight[k] * at.v;
+      value.stress += kernel.weight[k] * at.stress;
     }
     return value;
   }
@@ -77,13 +84,18 @@ class Interpolator {
   static Cloud<d> with_images(const Cloud<d>& cloud, const Interpolation<d>& how) {
     return with_ghosts(cloud, images(cloud, how));
   }
-  static std::vector<Vec<d>> displacements(const Cloud<d>& cloud, const NodalValues<d>& values,
-                                           const Interpolation<d>& how) {
-    std::vector<Vec<d>> u;
-    for (const auto& value : values) u.push_back(value.u);
-    for (const auto& ghost : images(cloud, how))
-      u.push_back(signs_of(ghost).cwiseProduct(values[static_cast<std::size_t>(ghost.real)].u));
-    return u;
+  /// Images carry what their particle has, reflected.
+  static NodalValues<d> with_image_values(const Cloud<d>& cloud, const NodalValues<d>& values,
+                                          const Interpolation<d>& how) {
+    NodalValues<d> all = values;
+    for (const auto& ghost : images(cloud, how)) {
+      const PointValue<d>& real = values[static_cast<std::size_t>(ghost.real)];
+      const Vec<d> signs = signs_of(ghost);
+      const Mat<d> reflection = signs.asDiagonal();
+      all.push_back({signs.cwiseProduct(real.u), reflection * real.gradient * reflection,
+                     signs.cwiseProduct(real.v), reflection * real.stress * reflection});
+    }
+    return all;
   }
   CorrectedKernel<d> corrected(const Vec<d>& X) const {
     try {
@@ -97,47 +109,19 @@ class Interpolator {
   }
 
   Cloud<d> cloud_;
-  std::vector<Vec<d>> u_;
+  NodalValues<d> values_;
   const Interpolation<d>& how_;
   NeighbourSearch<d> search_;
   std::vector<Index> found_;
   std::vector<Neighbour<d>> neighbours_;
 };
 
-}  // namespace
-
-template <int d>
-NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state) {
-  NodalValues<d> values(solid.cloud.X.size());
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    values[static_cast<std::size_t>(i)] = {vector_at<d>(state.u, solid.bonds.slots.of(i)),
-                                           deformation_gradient_of(solid, state, i) - Mat<d>::Identity()};
-  return values;
-}
-
-template <int d>
-NodalValues<d> difference(const NodalValues<d>& a, const NodalValues<d>& b) {
-  NodalValues<d> out(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) out[i] = {a[i].u - b[i].u, a[i].gradient - b[i].gradient};
-  return out;
-}
-
-template <int d>
-ErrorNorms nodal_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact) {
-  Sums<d> sums;
-  for (std::size_t i = 0; i < values.size(); ++i) sums.add(values[i], exact(cloud.X[i]), cloud.V[i]);
-  return sums.norms();
-}
-
-template <int d>
-ErrorNorms gauss_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact,
-                       const Interpolation<d>& interpolation, int tiles, int points) {
+/// Calls use(X, weight) at all Gauss points of the tiles over the box.
+template <int d, class Use>
+void for_gauss_points(const Box<d>& box, int tiles, int points, Use&& use) {
   std::array<std::vector<Node>, d> nodes;
   for (int a = 0; a < d; ++a)
-    nodes[static_cast<std::size_t>(a)] = gauss_nodes(cloud.box.origin[a], cloud.box.size[a], tiles, points);
-  Interpolator<d> interpolate(cloud, values, interpolation);
-  Sums<d> sums;
+    nodes[static_cast<std::size_t>(a)] = gauss_nodes(box.origin[a], box.size[a], tiles, points);
   const std::size_t per_axis = nodes[0].size();
   std::size_t count = 1;
   for (int a = 0; a < d; ++a) count *= per_axis;
@@ -149,17 +133,71 @@ ErrorNorms gauss_norms(const Cloud<d>& cloud, const NodalValues<d>& values, cons
       X[static_cast<int>(a)] = nodes[a][rest % per_axis].at;
       weight *= nodes[a][rest % per_axis].weight;
     }
-    sums.add(interpolate(X), exact(X), weight);
+    use(X, weight);
   }
+}
+
+}  // namespace
+
+template <int d>
+NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state, const StressFunction<d>& stress) {
+  NodalValues<d> values(solid.cloud.X.size());
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Index slot = solid.bonds.slots.of(i);
+    const Mat<d> F = deformation_gradient_of(solid, state, i);
+    values[static_cast<std::size_t>(i)] = {vector_at<d>(state.u, slot), F - Mat<d>::Identity(),
+                                           vector_at<d>(state.v, slot), stress(F)};
+  }
+  return values;
+}
+
+template <int d>
+NodalValues<d> difference(const NodalValues<d>& a, const NodalValues<d>& b) {
+  NodalValues<d> out(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    out[i] = {a[i].u - b[i].u, a[i].gradient - b[i].gradient, a[i].v - b[i].v, a[i].stress - b[i].stress};
+  return out;
+}
+
+template <int d>
+ErrorNorms nodal_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact) {
+  Sums<d> sums;
+  for (std::size_t i = 0; i < values.size(); ++i) sums.add(values[i], exact(cloud.X[i]), cloud.V[i]);
   return sums.norms();
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                    \
-  template NodalValues<d> nodal_values<d>(const Solid<d>&, const State<d>&);                        \
-  template NodalValues<d> difference<d>(const NodalValues<d>&, const NodalValues<d>&);              \
-  template ErrorNorms nodal_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&); \
-  template ErrorNorms gauss_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&,  \
-                                     const Interpolation<d>&, int, int);
+template <int d>
+ErrorNorms nodal_size(const Cloud<d>& cloud, const ExactField<d>& exact) {
+  return nodal_norms<d>(cloud, NodalValues<d>(cloud.X.size()), exact);
+}
+
+template <int d>
+ErrorNorms gauss_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact,
+                       const Interpolation<d>& interpolation, int tiles, int points) {
+  Interpolator<d> interpolate(cloud, values, interpolation);
+  Sums<d> sums;
+  for_gauss_points<d>(cloud.box, tiles, points,
+                      [&](const Vec<d>& X, double weight) { sums.add(interpolate(X), exact(X), weight); });
+  return sums.norms();
+}
+
+template <int d>
+ErrorNorms gauss_size(const Box<d>& box, const ExactField<d>& exact, int tiles, int points) {
+  Sums<d> sums;
+  for_gauss_points<d>(box, tiles, points,
+                      [&](const Vec<d>& X, double weight) { sums.add(PointValue<d>{}, exact(X), weight); });
+  return sums.norms();
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                                                       \
+  template NodalValues<d> nodal_values<d>(const Solid<d>&, const State<d>&, const StressFunction<d>&); \
+  template NodalValues<d> difference<d>(const NodalValues<d>&, const NodalValues<d>&);                 \
+  template ErrorNorms nodal_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&);    \
+  template ErrorNorms nodal_size<d>(const Cloud<d>&, const ExactField<d>&);                            \
+  template ErrorNorms gauss_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&,     \
+                                     const Interpolation<d>&, int, int);                               \
+  template ErrorNorms gauss_size<d>(const Box<d>&, const ExactField<d>&, int, int);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

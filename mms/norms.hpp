@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "plumbline/geometry/ghosts.hpp"
@@ -8,19 +10,26 @@
 
 namespace plumb::mms {
 
-/// Displacement [m] and its gradient (dimensionless) at one point.
+/// Displacement [m], its gradient (dimensionless), velocity [m/s] and first Piola-Kirchhoff stress [Pa] at
+/// one point.
 template <int d>
 struct PointValue {
   Vec<d> u = Vec<d>::Zero();
   Mat<d> gradient = Mat<d>::Zero();
+  Vec<d> v = Vec<d>::Zero();
+  Mat<d> stress = Mat<d>::Zero();
 };
 
-/// Displacements and gradients at the particles: u_i and F_i - I with the scheme's own F.
+/// What a scheme knows at its particles: u_i, F_i - I and P(F_i) with the scheme's own F, and v_i.
 template <int d>
 using NodalValues = std::vector<PointValue<d>>;
 
+/// P of F [Pa].
 template <int d>
-NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state);
+using StressFunction = std::function<Mat<d>(const Mat<d>& F)>;
+
+template <int d>
+NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state, const StressFunction<d>& stress);
 
 /// a - b, particle by particle.
 template <int d>
@@ -30,19 +39,39 @@ NodalValues<d> difference(const NodalValues<d>& a, const NodalValues<d>& b);
 template <int d>
 using ExactField = std::function<PointValue<d>(const Vec<d>& X)>;
 
-/// Absolute norms of an error. In d dimensions l2 has the unit m^(1 + d/2), h1 m^(d/2), linf m.
+/// Absolute norms of an error. In d dimensions L2 norms have the unit of the quantity times m^(d/2).
 struct ErrorNorms {
-  double l2 = 0;    ///< (44): square root of the integral of |u - u_h|^2
-  double h1 = 0;    ///< (45): seminorm, the same for the gradients
-  double linf = 0;  ///< largest |u - u_h|
+  double l2 = 0;           ///< (44): square root of the integral of |u - u_h|^2
+  double h1 = 0;           ///< (45): seminorm, the same for the gradients
+  double linf = 0;         ///< largest |u - u_h|
+  double velocity_l2 = 0;  ///< of u_t
+  double stress_l2 = 0;    ///< of P, Frobenius norm
 };
 
-/// Nodal norms: the integrals are sums over particles with their volumes, the gradient is F_i - I.
+/// One norm by its name.
+struct NormName {
+  std::string_view name, meaning;
+  double ErrorNorms::*value;
+};
+inline constexpr std::array<NormName, 5> norm_names{
+    {{"l2", "L2", &ErrorNorms::l2},
+     {"h1", "H1", &ErrorNorms::h1},
+     {"linf", "max", &ErrorNorms::linf},
+     {"velocity_l2", "velocity, L2", &ErrorNorms::velocity_l2},
+     {"stress_l2", "stress, L2", &ErrorNorms::stress_l2}}};
+
+/// Nodal norms: the integrals are sums over particles with their volumes, the gradient is F_i - I and the
+/// stress P(F_i).
 template <int d>
 ErrorNorms nodal_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact);
 
+/// The same norms of the exact field itself: what an error is relative to.
+template <int d>
+ErrorNorms nodal_size(const Cloud<d>& cloud, const ExactField<d>& exact);
+
 /// How fields are interpolated between particles: with the corrected pair of the scheme,
-///   u_h(X) = sum V_j u_j W~_j(X),  Grad u_h(X) = sum V_j u_j (x) grad W~_j(X).
+///   u_h(X) = sum V_j u_j W~_j(X),  Grad u_h(X) = sum V_j u_j (x) grad W~_j(X),
+/// velocity and stress as u_h, from v_j and P(F_j).
 template <int d>
 struct Interpolation {
   RadialKernel<d> kernel;
@@ -57,5 +86,9 @@ struct Interpolation {
 template <int d>
 ErrorNorms gauss_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact,
                        const Interpolation<d>& interpolation, int tiles = 10, int points = 5);
+
+/// The same norms of the exact field itself, by the same points.
+template <int d>
+ErrorNorms gauss_size(const Box<d>& box, const ExactField<d>& exact, int tiles = 10, int points = 5);
 
 }  // namespace plumb::mms

@@ -13,18 +13,19 @@ namespace plumb::mms {
 struct StaticLevel {
   Index n = 0;   ///< particles
   double d = 0;  ///< spacing [m]
-  double l2 = 0, h1 = 0;
+  double l2 = 0, h1 = 0, stress_l2 = 0;
   /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
   /// body force, so that it is a vibration.
   std::optional<double> frequency_error;
   std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
-  double setup_s = 0;                                  ///< CPU time of the bond table [s]
-  double solve_s = 0;                                  ///< CPU time of assembly and solution [s]
+  std::optional<std::string> failure;  ///< why there is no frequency where there should be one
+  double setup_s = 0;                  ///< CPU time of the bond table [s]
+  double solve_s = 0;                  ///< CPU time of assembly and solution [s]
 };
 
 struct StaticResult {
   std::vector<StaticLevel> levels;
-  std::vector<StudyFit> fits;  ///< of l2, h1 and, if there is one, of the frequency
+  std::vector<StudyFit> fits;  ///< of l2, h1, stress_l2 and, if there is one, of the frequency
   std::string status;          ///< as in StudyResult
 };
 
@@ -32,7 +33,13 @@ struct StaticResult {
 /// whole surface of the box, -Div P inside, one linear solution with the stiffness assembled from the bond
 /// table. And the vibration next to the solution's, with the solution's own conditions on the faces. Linear,
 /// so the amplitude should be small: it is the relative modelling error. Node layout only; throws InputError
-/// otherwise. Expect::l2 and h1 are the declared orders.
-StaticResult run_static_study(const Study& study, const StudyProgress& progress = {});
+/// otherwise. Expect::l2, h1 and stress_l2 are the declared orders. Each level is a part of the sitting;
+/// throws SittingEnded if that ends, after the level at hand.
+StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
+/// The same in one sitting.
+inline StaticResult run_static_study(const Study& study, const StudyProgress& progress = {}) {
+  Sitting whole;
+  return run_static_study(study, progress, whole);
+}
 
 }  // namespace plumb::mms

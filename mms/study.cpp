@@ -3,29 +3,48 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "mms/level.hpp"
 
 namespace plumb::mms {
 namespace {
 
+constexpr std::string_view gauss_suffix = "_gauss";
+
+/// The order that the study declares in a norm, by the nodal name of the norm.
+std::optional<double> declared_order(const Study& study, std::string_view norm) {
+  if (!study.expect) return std::nullopt;
+  if (norm == "l2") return study.expect->l2;
+  if (norm == "h1") return study.expect->h1;
+  if (norm == "velocity_l2") return study.expect->velocity_l2;
+  return norm == "stress_l2" ? study.expect->stress_l2 : std::nullopt;
+}
+
 StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector<StudyLevel>& levels,
-                  const StudyLevel& floor, const StudyLevel& size) {
+                  const StudyLevel& floor) {
   StudyFit out;
   out.norm = norm;
   std::vector<Level> errors;
   for (const StudyLevel& level : levels) errors.push_back({level.d, norm_of(level, norm)});
   FitOptions options;
   options.modelling_floor = out.modelling_floor = norm_of(floor, norm);
-  options.round_off *= norm_of(size, norm);
+  options.round_off *= size_of(levels.back(), norm);
   out.fit = fit_order(errors, options);
-  const bool gauss = norm.ends_with("_gauss");
-  if (study.expect && (gauss ? wants_gauss(study) : wants_nodal(study)))
-    out.declared = norm.starts_with("l2")   ? study.expect->l2
-                   : norm.starts_with("h1") ? study.expect->h1
-                                            : std::nullopt;
+  const bool gauss = norm.ends_with(gauss_suffix);
+  if (gauss ? wants_gauss(study) : wants_nodal(study))
+    out.declared = declared_order(study, norm.substr(0, norm.size() - (gauss ? gauss_suffix.size() : 0)));
   out.verdict = out.declared ? name_of(judge(out.fit, *out.declared)) : name_of(classify(out.fit));
   return out;
+}
+
+/// The norm of that name among those by particles and those by Gauss points.
+double value_of(const ErrorNorms& nodal, const std::optional<ErrorNorms>& gauss, std::string_view norm) {
+  const bool by_gauss = norm.ends_with(gauss_suffix);
+  if (by_gauss) norm.remove_suffix(gauss_suffix.size());
+  for (const NormName& known : norm_names)
+    if (known.name == norm) return (by_gauss ? gauss.value() : nodal).*known.value;
+  throw unknown_name("norm", norm, {});
 }
 
 /// Relative work of a level: particles times steps.
@@ -36,52 +55,58 @@ double work_of(const Study& study, double spacing) {
 /// Difference to the run with the finite-strain body force; zero where that is the run itself, or where one
 /// broke.
 template <int d>
-LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution, const LevelRun<d>& run) {
+LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution, const LevelRun<d>& run,
+                            Sitting& sitting) {
   LevelRun<d> out = run;
   out.level.failure.reset();
   out.values.assign(run.values.size(), PointValue<d>{});
   if (study.force == "finite-strain" || run.level.failure) return out;
-  const LevelRun<d> loaded = run_level<d>(study, solution, run.level.d, true);
+  const LevelRun<d> loaded = run_level<d>(study, solution, run.level.d, true, sitting);
   if (!loaded.level.failure) out.values = difference<d>(run.values, loaded.values);
   return out;
 }
 
+/// A level, and with `with_floor` also the norms of the modelling error there.
 template <int d>
-StudyResult run_in(const Study& study, const StudyProgress& progress) {
+Sitting::Json make_level(const Study& study, const Manufactured<d>& solution, double spacing, bool with_floor,
+                         Sitting& sitting) {
+  LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
+  measure<d>(study, exact_field<d>(solution, end_time(study)), run);
+  Sitting::Json made{{"level", json_of(run.level)}};
+  if (!with_floor) return made;
+  LevelRun<d> floor = modelling_error<d>(study, solution, run, sitting);
+  measure<d>(study, [](const Vec<d>&) { return PointValue<d>{}; }, floor);
+  made["floor"] = json_of(floor.level);
+  return made;
+}
+
+template <int d>
+StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  const ExactField<d> exact = exact_field<d>(solution, end_time(study));
-  const ExactField<d> zero = [](const Vec<d>&) { return PointValue<d>{}; };
   const bool loaded = study.force == "finite-strain";
   double total = 0, done = 0;
   for (const double spacing : study.spacings) total += work_of(study, spacing);
 
   StudyResult result;
-  LevelRun<d> floor, size;  // the modelling error and the exact field
+  StudyLevel floor;  // norms of the modelling error
   const std::size_t floor_level = std::min<std::size_t>(1, study.spacings.size() - 1);
   for (const double spacing : study.spacings) {
-    LevelRun<d> run = run_level<d>(study, solution, spacing, loaded);
-    measure<d>(study, exact, run);
-    if (result.levels.size() == floor_level) {
-      floor = modelling_error<d>(study, solution, run);
-      size = run;
-      for (std::size_t i = 0; i < size.values.size(); ++i) size.values[i] = exact(size.cloud.X[i]);
-      size.level.failure.reset();
-      measure<d>(study, zero, floor);
-      measure<d>(study, zero, size);
-    }
-    result.levels.push_back(run.level);
+    const bool with_floor = result.levels.size() == floor_level;
+    const auto part = sitting.part(fmt::format("level {}", spacing), [&] {
+      return make_level<d>(study, solution, spacing, with_floor, sitting);
+    });
+    if (with_floor) floor = level_of(part["floor"]);
+    result.levels.push_back(level_of(part["level"]));
     done += work_of(study, spacing);
     if (progress) progress(done / total, fmt::format("d = {:g} m", spacing));
   }
-  std::vector<std::string> norms{"l2", "h1", "linf"};
-  if (wants_gauss(study)) norms.insert(norms.end(), {"l2_gauss", "h1_gauss"});
-  for (const std::string& norm : norms)
-    result.fits.push_back(fit_norm(study, norm, result.levels, floor.level, size.level));
+  for (const std::string& norm : norms_of(study))
+    result.fits.push_back(fit_norm(study, norm, result.levels, floor));
   if (!loaded)
     result.notes.push_back(
         fmt::format("modelling floor (finite against small strain, measured at d = {:g} m): L2 {:.3g}, "
                     "H1 {:.3g}; levels below ten times that are not fitted",
-                    floor.level.d, floor.level.nodal.l2, floor.level.nodal.h1));
+                    floor.d, floor.nodal.l2, floor.nodal.h1));
   for (const StudyLevel& level : result.levels)
     if (level.failure)
       result.notes.push_back(fmt::format("d = {:g} m: unstable, {}", level.d, *level.failure));
@@ -102,16 +127,25 @@ std::string status_of(const std::vector<StudyFit>& fits) {
   return any && all_pass ? "pass" : "inconclusive";
 }
 
-double norm_of(const StudyLevel& level, const std::string& norm) {
-  if (norm == "l2") return level.nodal.l2;
-  if (norm == "h1") return level.nodal.h1;
-  if (norm == "linf") return level.nodal.linf;
-  return norm == "l2_gauss" ? level.gauss->l2 : level.gauss->h1;
+std::vector<std::string> norms_of(const Study& study) {
+  std::vector<std::string> names;
+  for (const NormName& norm : norm_names) names.emplace_back(norm.name);
+  if (wants_gauss(study))
+    for (const NormName& norm : norm_names) names.push_back(std::string(norm.name) + "_gauss");
+  return names;
 }
 
-StudyResult run_study(const Study& study, const StudyProgress& progress) {
-  if (study.dimension() == 2) return run_in<2>(study, progress);
-  if (study.dimension() == 3) return run_in<3>(study, progress);
+double norm_of(const StudyLevel& level, const std::string& norm) {
+  return value_of(level.nodal, level.gauss, norm);
+}
+
+double size_of(const StudyLevel& level, const std::string& norm) {
+  return value_of(level.exact, level.exact_gauss, norm);
+}
+
+StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
+  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
   throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }

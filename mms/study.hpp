@@ -11,7 +11,7 @@ namespace plumb::mms {
 
 /// The order in one norm. With a declared order there is a verdict, without one a trend.
 struct StudyFit {
-  std::string norm;  ///< l2, h1, linf, l2_gauss, h1_gauss
+  std::string norm;  ///< one of norms_of()
   OrderFit fit;
   std::optional<double> declared;
   double modelling_floor = 0;  ///< unit of the norm
@@ -30,13 +30,29 @@ using StudyProgress = std::function<void(double fraction, const std::string& not
 
 /// Runs every level and judges the orders. With force = "none" the difference to the run with the
 /// finite-strain body force is measured on the second level: it is the modelling floor, which no refinement
-/// reduces. Throws InputError if the solution does not fit the study (dimension, parameters, box).
-StudyResult run_study(const Study& study, const StudyProgress& progress = {});
+/// reduces. Each level is a part of the sitting. Throws InputError if the solution does not fit the study
+/// (dimension, parameters, box), SittingEnded if the sitting ends.
+StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
+/// The same in one sitting.
+inline StudyResult run_study(const Study& study, const StudyProgress& progress = {}) {
+  Sitting whole;
+  return run_study(study, progress, whole);
+}
 
 /// Status of a study from its fits, as in StudyResult.
 std::string status_of(const std::vector<StudyFit>& fits);
 
-/// One norm of a level by its name: l2, h1, linf, l2_gauss, h1_gauss.
+/// Names of the norms that a study measures: l2, h1, linf, velocity_l2, stress_l2 by particles, and the same
+/// with
+/// "_gauss" behind them if it wants Gauss points.
+std::vector<std::string> norms_of(const Study& study);
+
+/// One norm of the error of a level by its name, absolute.
 double norm_of(const StudyLevel& level, const std::string& norm);
+
+/// The same norm of the exact field: error over size is the relative error (not finite where the field is
+/// zero). Orders are fitted to absolute errors; those of relative ones differ by the quadrature of the size
+/// only.
+double size_of(const StudyLevel& level, const std::string& norm);
 
 }  // namespace plumb::mms

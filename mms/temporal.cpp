@@ -1,7 +1,10 @@
 #include "mms/temporal.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "plumbline/time/catalogue.hpp"
 
@@ -26,10 +29,31 @@ void freeze_loads(DrivenBody<d>& body) {
   };
 }
 
+template <int d>
+Sitting::Json json_of(const NodalValues<d>& values) {
+  Sitting::Json numbers = Sitting::Json::array();
+  for (const PointValue<d>& value : values) {
+    for (const double u : value.u) numbers.push_back(u);
+    for (const double slope : value.gradient.reshaped()) numbers.push_back(slope);
+  }
+  return numbers;
+}
+
+template <int d>
+NodalValues<d> values_of(const Sitting::Json& numbers) {
+  NodalValues<d> values(numbers.size() / (d + d * d));
+  auto next = numbers.begin();
+  for (PointValue<d>& value : values) {
+    for (double& u : value.u) u = *next++;
+    for (double& slope : value.gradient.reshaped()) slope = *next++;
+  }
+  return values;
+}
+
 /// The field after so many steps of the integrator of that name.
 template <int d>
-LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::string_view integrator,
-                        long steps) {
+LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::string_view integrator, long steps,
+                        Sitting& sitting) {
   const bool as_printed = integrator == printed;
   study.method.integrator = as_printed ? "rk3" : integrator;
   study.method.cfl.reset();
@@ -38,25 +62,30 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
       driven_body<d>(study, solution, study.spacings.front(), study.force == "finite-strain");
   if (as_printed) freeze_loads(body);
   Simulation<d>& simulation = body.simulation;
-  const RunResult result = run(simulation.solid, simulation.state, body.stepper, simulation.control);
-  if (!result.completed())
-    throw InputError(
-        "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
-        std::string(name_of(result.failure->cause)), "Choose a stable scheme or a shorter time.");
+  const auto make = [&] {
+    const RunResult result = run<d>(simulation.solid, simulation.state, body.stepper, simulation.control,
+                                    [&](const Solid<d>&, const State<d>&) { return sitting.check(), true; });
+    if (!result.completed())
+      throw InputError(
+          "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
+          std::string(name_of(result.failure->cause)), "Choose a stable scheme or a shorter time.");
+    return json_of<d>(nodal_values<d>(simulation.solid, simulation.state, solution.first_piola));
+  };
   LevelRun<d> out;
-  out.values = nodal_values(simulation.solid, simulation.state);
+  out.values = values_of<d>(sitting.part(fmt::format("{}, {} steps", integrator, steps), make));
   out.cloud = std::move(simulation.solid.cloud);
   return out;
 }
 
 template <int d>
 TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std::string_view integrator,
-                       double declared, long first_steps, const LevelRun<d>& reference, double size) {
+                       double declared, long first_steps, const LevelRun<d>& reference, double size,
+                       Sitting& sitting) {
   TemporalOrder out{std::string(integrator), declared, {}, {}, {}};
   const ExactField<d> zero = [](const Vec<d>&) { return PointValue<d>{}; };
   for (int k = 0; k <= halvings; ++k) {
     const long steps = first_steps << k;
-    const LevelRun<d> run = field_after<d>(study, solution, integrator, steps);
+    const LevelRun<d> run = field_after<d>(study, solution, integrator, steps, sitting);
     const NodalValues<d> error = difference<d>(run.values, reference.values);
     out.levels.push_back(
         {end_time(study) / static_cast<double>(steps), nodal_norms<d>(run.cloud, error, zero).l2});
@@ -69,14 +98,14 @@ TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std:
 }
 
 template <int d>
-TemporalResult run_in(const Study& study) {
+TemporalResult run_in(const Study& study, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
   const double end = end_time(study);
   const auto first_steps =
       static_cast<long>(std::ceil(2 * end * elastic.wave_speed() / study.spacings.front()));
   const long reference_steps = first_steps << (halvings + 2);
-  const LevelRun<d> reference = field_after<d>(study, solution, "rk3", reference_steps);
+  const LevelRun<d> reference = field_after<d>(study, solution, "rk3", reference_steps, sitting);
   const ExactField<d> exact = exact_field<d>(solution, end),
                       zero = [](const Vec<d>&) { return PointValue<d>{}; };
   TemporalResult result;
@@ -86,7 +115,8 @@ TemporalResult run_in(const Study& study) {
   result.spatial_error = nodal_norms<d>(reference.cloud, reference.values, exact).l2;
   const double size = nodal_norms<d>(reference.cloud, reference.values, zero).l2;
   const auto add = [&](std::string_view name, double declared) {
-    result.orders.push_back(order_of<d>(study, solution, name, declared, first_steps, reference, size));
+    result.orders.push_back(
+        order_of<d>(study, solution, name, declared, first_steps, reference, size, sitting));
   };
   for_each_type(IntegratorCatalogue{},
                 [&]<class T>(Type<T>) { add(T::name, T::template Stepper<d>::order); });
@@ -100,9 +130,9 @@ TemporalResult run_in(const Study& study) {
 
 }  // namespace
 
-TemporalResult run_temporal(const Study& study) {
-  if (study.dimension() == 2) return run_in<2>(study);
-  if (study.dimension() == 3) return run_in<3>(study);
+TemporalResult run_temporal(const Study& study, Sitting& sitting) {
+  if (study.dimension() == 2) return run_in<2>(study, sitting);
+  if (study.dimension() == 3) return run_in<3>(study, sitting);
   throw InputError("a study of the time step in one dimension", "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }

@@ -27,6 +27,12 @@ struct TemporalResult {
 /// Time errors alone: the study's first cloud is run with fixed steps by every integrator, against RK3 with
 /// a quarter of the finest step on the same cloud, so that space does not enter. Six steps, each half of the
 /// one before; the first is half of d over C_p. Also (30) as printed, with the loads of all stages at t^n.
-TemporalResult run_temporal(const Study& study);
+/// The field of each run is a part of the sitting; throws SittingEnded if that ends.
+TemporalResult run_temporal(const Study& study, Sitting& sitting);
+/// The same in one sitting.
+inline TemporalResult run_temporal(const Study& study) {
+  Sitting whole;
+  return run_temporal(study, whole);
+}
 
 }  // namespace plumb::mms

@@ -1,41 +1,50 @@
 #include "mms/work_precision.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "mms/level.hpp"
 
 namespace plumb::mms {
 namespace {
 
-/// Runs one level and puts what it measures into the point: the least time, and the span to the slowest.
+/// One run of a level; the first one with its norms and those of the exact field.
 template <int d>
-void run_once(const Study& study, WorkPoint& point, bool warm_up) {
+Sitting::Json make_run(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  LevelRun<d> run = run_level<d>(study, solution, point.d, study.force == "finite-strain");
+  LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
+  if (warm_up) measure<d>(study, exact_field<d>(solution, end_time(study)), run);
+  return {{"level", json_of(run.level)}};
+}
+
+/// Puts what a run measured into the point: the least time, and the span to the slowest.
+void count(const Sitting::Json& part, WorkPoint& point, bool warm_up) {
+  const StudyLevel level = level_of(part["level"]);
   if (warm_up) {
-    const ExactField<d> exact = exact_field<d>(solution, end_time(study)),
-                        zero = [](const Vec<d>&) { return PointValue<d>{}; };
-    measure<d>(study, exact, run);
-    NodalValues<d> size(run.values.size());
-    for (std::size_t i = 0; i < size.size(); ++i) size[i] = exact(run.cloud.X[i]);
-    point.error = run.level.nodal.l2 / nodal_norms<d>(run.cloud, size, zero).l2;
-    point.failure = run.level.failure;
-    point.pair_evaluations = run.level.pair_evaluations;
+    point.error = level.nodal.l2 / level.exact.l2;
+    point.failure = level.failure;
+    point.pair_evaluations = level.pair_evaluations;
     point.cpu_s = point.wall_s = std::numeric_limits<double>::max();
     return;
   }
-  const double slowest =
-      std::max(point.cpu_s == std::numeric_limits<double>::max() ? 0 : point.cpu_s + point.cpu_spread_s,
-               run.level.cpu_s);
-  point.cpu_s = std::min(point.cpu_s, run.level.cpu_s);
+  const double slowest = std::max(
+      point.cpu_s == std::numeric_limits<double>::max() ? 0 : point.cpu_s + point.cpu_spread_s, level.cpu_s);
+  point.cpu_s = std::min(point.cpu_s, level.cpu_s);
   point.cpu_spread_s = slowest - point.cpu_s;
-  point.wall_s = std::min(point.wall_s, run.level.wall_s);
+  point.wall_s = std::min(point.wall_s, level.wall_s);
 }
 
-void run_once(const Study& study, WorkPoint& point, bool warm_up) {
-  study.dimension() == 2 ? run_once<2>(study, point, warm_up) : run_once<3>(study, point, warm_up);
+void run_once(const Variant& variant, int turn, WorkPoint& point, Sitting& sitting) {
+  const auto make = [&] {
+    return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.d, turn == 0, sitting)
+                                          : make_run<3>(variant.study, point.d, turn == 0, sitting);
+  };
+  count(sitting.part(fmt::format("turn {}, {}, d = {}", turn, variant.label, point.d), make), point,
+        turn == 0);
 }
 
 using CostAndError = std::pair<double, double>;
@@ -94,7 +103,7 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
 }
 
 WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
-                             const std::vector<double>& errors) {
+                             const std::vector<double>& errors, Sitting& sitting) {
   WorkPrecision result;
   for (std::size_t v = 0; v < variants.size(); ++v) {
     result.labels.push_back(variants[v].label);
@@ -106,7 +115,7 @@ WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
     }
   }
   for (int turn = 0; turn <= std::max(1, repeats); ++turn)
-    for (WorkPoint& point : result.points) run_once(variants[point.variant].study, point, turn == 0);
+    for (WorkPoint& point : result.points) run_once(variants[point.variant], turn, point, sitting);
   for (const bool cpu : {true, false}) {
     mark_front(result, cpu);
     find_cheapest(result, errors, cpu);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/output/sitting.hpp"
 #include "plumbline/scene/study.hpp"
 
 namespace plumb::mms {
@@ -43,9 +44,16 @@ struct WorkPrecision {
 /// Runs every level of every variant once to warm up and `repeats` times more, alternating between the
 /// variants so that a slow minute of the machine does not fall on one of them. Costs between two levels are
 /// interpolated in logarithms; nothing is extrapolated to errors below the finest level, and an error above
-/// the coarsest level's costs what that level costs.
+/// the coarsest level's costs what that level costs. Each run is a part of the sitting; throws SittingEnded
+/// if that ends.
 WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
-                             const std::vector<double>& errors = {1e-2, 1e-3, 1e-4});
+                             const std::vector<double>& errors, Sitting& sitting);
+/// The same in one sitting.
+inline WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
+                                    const std::vector<double>& errors) {
+  Sitting whole;
+  return work_precision(variants, repeats, errors, whole);
+}
 
 /// For points (cost, error): true where no other point is better in one and as good in the other. Entries
 /// that are not finite are never on the front.

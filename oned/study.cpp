@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace plumb::oned {
@@ -56,6 +57,22 @@ std::vector<Discretisation> levels(const Discretisation& base, const std::vector
   return all;
 }
 
+/// The errors of an estimate as a part of a sitting, and back.
+Sitting::Json part_of(const ErrorNorms& errors, double cpu_s) {
+  Sitting::Json part{{"cpu_s", cpu_s}};
+  for (const Norm& norm : norms)
+    if (const auto value = norm.get(errors)) part[norm.name] = *value;
+  return part;
+}
+
+ErrorNorms norms_of(const Sitting::Json& part) {
+  const auto found = [&part](const char* name) {
+    return part.contains(name) ? std::optional(number_or_nan(part[name])) : std::nullopt;
+  };
+  return {*found("rmse"), *found("max"), found("interior_rmse"), found("interior_max"),
+          found("boundary_max")};
+}
+
 /// The fits of one field and method from its rows.
 void fit_all(const std::vector<StudyRow>& rows, const std::vector<double>& floors,
              std::vector<StudyFit>& fits) {
@@ -100,7 +117,7 @@ ErrorNorms error_norms(const Cloud<1>& cloud, double R, const std::vector<double
 }
 
 Study refine(const Discretisation& discretisation, const std::vector<Index>& cells,
-             const std::vector<Field>& fields, const std::vector<Method>& methods) {
+             const std::vector<Field>& fields, const std::vector<Method>& methods, Sitting& sitting) {
   const std::vector<Discretisation> all = levels(discretisation, cells);
   const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
   std::vector<Cloud<1>> clouds;
@@ -117,12 +134,18 @@ Study refine(const Discretisation& discretisation, const std::vector<Index>& cel
       std::vector<StudyRow> rows;
       for (std::size_t k = 0; k < all.size(); ++k) {
         const double R = all[k].support();
-        const double start = cpu_seconds();
-        std::vector<double> error = estimate(clouds[k], kernel, R, method, samples[k].x);
-        const double cpu_s = cpu_seconds() - start;
-        for (std::size_t i = 0; i < error.size(); ++i) error[i] -= samples[k].exact[i];
-        rows.push_back({all[k].n, all[k].dx(), R, field.text, method.estimator, method.pair,
-                        error_norms(clouds[k], R, error), cpu_s});
+        const auto make = [&] {
+          const double start = cpu_seconds();
+          std::vector<double> error = estimate(clouds[k], kernel, R, method, samples[k].x);
+          const double cpu_s = cpu_seconds() - start;
+          for (std::size_t i = 0; i < error.size(); ++i) error[i] -= samples[k].exact[i];
+          return part_of(error_norms(clouds[k], R, error), cpu_s);
+        };
+        const auto part = sitting.part(
+            fmt::format("{}, {}, {}, n = {}", field.text, method.estimator, name_of(method.pair), all[k].n),
+            make);
+        rows.push_back({all[k].n, all[k].dx(), R, field.text, method.estimator, method.pair, norms_of(part),
+                        part["cpu_s"]});
       }
       fit_all(rows, floors, study.fits);
       study.rows.insert(study.rows.end(), rows.begin(), rows.end());

@@ -6,6 +6,7 @@
 #include "oned/gradient.hpp"
 #include "plumbline/convergence/order_fit.hpp"
 #include "plumbline/convergence/verdict.hpp"
+#include "plumbline/output/sitting.hpp"
 
 namespace plumb::oned {
 
@@ -47,8 +48,15 @@ struct Study {
 ErrorNorms error_norms(const Cloud<1>& cloud, double R, const std::vector<double>& error);
 
 /// Every field by every method on every level of `cells` (numbers of cells); `discretisation.n` is not used.
-/// Everything that can be refused is refused before the first estimate.
+/// Everything that can be refused is refused before the first estimate. Each estimate is a part of the
+/// sitting; throws SittingEnded if that ends.
 Study refine(const Discretisation& discretisation, const std::vector<Index>& cells,
-             const std::vector<Field>& fields, const std::vector<Method>& methods);
+             const std::vector<Field>& fields, const std::vector<Method>& methods, Sitting& sitting);
+/// The same in one sitting.
+inline Study refine(const Discretisation& discretisation, const std::vector<Index>& cells,
+                    const std::vector<Field>& fields, const std::vector<Method>& methods) {
+  Sitting whole;
+  return refine(discretisation, cells, fields, methods, whole);
+}
 
 }  // namespace plumb::oned

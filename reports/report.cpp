@@ -10,6 +10,7 @@
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/output/progress.hpp"
+#include "plumbline/output/sitting.hpp"
 #include "plumbline/output/table.hpp"
 #include "reports/page/page.hpp"
 #include "reports/run/process.hpp"
@@ -54,6 +55,11 @@ Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& opt
       if (options.progress)
         options.progress(static_cast<double>(summary.jobs) / static_cast<double>(total), job.id);
       JobResult result = store.get(job);
+      if (options.go_on && !options.go_on())
+        throw SittingEnded(
+            fmt::format("interrupted: {} of {} studies are finished and stored; the same call goes on "
+                        "from there",
+                        summary.jobs + (result.failure.empty() ? 1 : 0), total));
       summary.reused += result.reused ? 1 : 0;
       summary.cpu_s += result.cpu_s;
       ++summary.jobs;

@@ -20,6 +20,7 @@ struct ReportOptions {
   std::vector<std::string> only;     ///< ids of sections; empty: all
   std::vector<std::pair<std::string, std::string>> facts;         ///< on the first screen, before the cost
   std::function<void(double, const std::string&)> progress = {};  ///< fraction done, what is being done
+  std::function<bool()> go_on = {};                               ///< asked after every study; none: always
 };
 
 struct ReportSummary {
@@ -36,7 +37,8 @@ std::vector<SectionPlan> section_plans(bool long_run);
 /// Runs the studies, or takes their stored results, and writes the page, the pictures and the numbers behind
 /// them. A study that fails costs its section the answer, not the report; it is listed under `problems`.
 /// @throws InputError for an unknown section or a folder that cannot be made; OutputError if a file cannot be
-/// written.
+/// written; SittingEnded if it is not to go on: the finished studies are stored, and the next call takes
+/// them.
 ReportSummary make_report(const ReportOptions& options);
 
 }  // namespace plumb::reports

@@ -43,7 +43,7 @@ const Json& fit_of(const Json& result, const std::string& norm) {
 std::string failures(const Json& result) {
   std::string out;
   for (const auto& level : result.at("levels"))
-    if (const auto found = level.find("failure"); found != level.end() && found->is_string())
+    if (const auto found = level.find("status"); found != level.end() && found->is_string())
       out += fmt::format("; d = {:g} m: {}", number(level, "d"), found->get<std::string>());
   return out;
 }
@@ -66,6 +66,35 @@ Check study_check(std::string what, const Json& result, const std::string& norm)
     check.verdict = "inconclusive";
   }
   return check;
+}
+
+Job refinement_job(const Refinement& entry, const std::string& command) {
+  const std::string file = "verification/studies/" + entry.file;
+  Job job{entry.id, {command, file}, {file}};
+  for (const auto& set : entry.set) job.arguments.insert(job.arguments.end(), {"--set", set});
+  return job;
+}
+
+Figure levels_figure(const Results& results, const std::string& id, const std::string& title,
+                     const std::vector<Refinement>& entries, const std::string& caption) {
+  Figure figure{
+      id,
+      {title, {"particle spacing d", "m", Scale::log}, {"error in L₂ of the displacement", "", Scale::log}},
+      caption,
+      {}};
+  figure.picture.labels = Labels::legend;
+  figure.picture.height = 480;
+  for (const auto& entry : entries) {
+    Series series{entry.name, {}, {}};
+    const Json result = results.json(entry.id);
+    for (const auto& level : result.at("levels"))
+      if (!level.at("l2").is_null())
+        series.x.push_back(number(level, "d")), series.y.push_back(number(level, "l2"));
+    if (!series.x.empty()) figure.picture.series.push_back(series);
+    figure.jobs.push_back(entry.id);
+  }
+  if (!figure.picture.series.empty()) figure.picture.triangles = {{2, figure.picture.series.size() - 1}};
+  return figure;
 }
 
 DataTable fits_table(std::string id, std::string title, std::vector<std::string> jobs) {
@@ -105,6 +134,9 @@ DataTable levels_table(std::string id, std::string title, std::vector<std::strin
            {"linf", "m", 4},
            {"l2_gauss", "m", 4},
            {"h1_gauss", "", 4},
+           {"relative l2", "", 4},
+           {"relative velocity l2", "", 4},
+           {"relative stress l2", "", 4},
            {"CPU time", "s", 3},
            {"pair evaluations", "", 4}},
           {},
@@ -114,8 +146,8 @@ DataTable levels_table(std::string id, std::string title, std::vector<std::strin
 void add_levels(DataTable& table, const std::string& name, const std::string& job, const Json& result) {
   for (const auto& level : result.at("levels")) {
     std::vector<Entry> row{name};
-    for (const char* key :
-         {"d", "n", "steps", "l2", "h1", "linf", "l2_gauss", "h1_gauss", "cpu_s", "pair_evaluations"})
+    for (const char* key : {"d", "n", "steps", "l2", "h1", "linf", "l2_gauss", "h1_gauss", "relative_l2",
+                            "relative_velocity_l2", "relative_stress_l2", "cpu_s", "pair_evaluations"})
       row.push_back(cell(level, key));
     table.rows.push_back(std::move(row));
     table.row_jobs.push_back(job);

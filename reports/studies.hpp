@@ -11,6 +11,19 @@ namespace plumb::reports {
 /// trend in words where the study declares none. A level that failed is named.
 Check study_check(std::string what, const nlohmann::ordered_json& result, const std::string& norm);
 
+/// One refinement study of a section: a file of verification/studies with overrides.
+struct Refinement {
+  std::string id, name, file;
+  std::vector<std::string> set;
+};
+
+/// The call of `plumb mms` (or another subcommand that takes a study) for it.
+Job refinement_job(const Refinement& entry, const std::string& command = "mms");
+
+/// L2 errors of all of them over the spacing, levels that broke left out.
+Figure levels_figure(const Results& results, const std::string& id, const std::string& title,
+                     const std::vector<Refinement>& entries, const std::string& caption);
+
 /// An empty table of fitted orders, and its rows from one study, one per norm. `figure`: where the study is
 /// drawn.
 DataTable fits_table(std::string id, std::string title, std::vector<std::string> jobs);

@@ -34,6 +34,21 @@ install(FILES ${PROJECT_BINARY_DIR}/plumblineConfig.cmake ${PROJECT_BINARY_DIR}/
 
 if(TARGET plumb)
   install(TARGETS plumb COMPONENT program)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline
+  # laid out as in the source tree, so that the examples of the help work in share/plumbline
+  foreach(part scenes studies stability claims faults bad_inputs.toml)
+    if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part})
+      install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part} DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
+              COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.json")
+    else()
+      install(FILES ${PROJECT_SOURCE_DIR}/verification/${part} DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
+              COMPONENT program)
+    endif()
+  endforeach()
+  set(shell_files ${PROJECT_BINARY_DIR}/generated/shell)
+  install(FILES ${shell_files}/plumb.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${shell_files}/plumb.bash RENAME plumb DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
           COMPONENT program)
+  install(FILES ${shell_files}/_plumb DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
 endif()
+
+include(Package)

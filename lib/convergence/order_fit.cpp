@@ -67,10 +67,17 @@ std::vector<Weighted> usable(const std::vector<Weighted>& levels, const FitOptio
   return out;
 }
 
+/// Quantile of Student's t for a two-sided interval.
+double student_quantile(double confidence, double freedom) {
+  const boost::math::students_t_distribution<double> student(freedom);
+  return boost::math::quantile(boost::math::complement(student, (1 - confidence) / 2));
+}
+
 /// Change of the slope over the range: 2 c2 (x_last - x_first) of y = c0 + c1 x + c2 x^2, by removing the
-/// straight part of x^2 first (so that no near-singular system is solved).
-double slope_change(const std::vector<double>& x, const std::vector<double>& y,
-                    const std::vector<double>& w) {
+/// straight part of x^2 first (so that no near-singular system is solved). `straight`: weighted sum of
+/// squared residuals of the straight line; what c2 leaves of it gives the interval.
+void fit_drift(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& w,
+               double straight, double confidence, OrderFit& fit) {
   const std::size_t n = x.size();
   std::vector<double> square(n);
   const double middle = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(n);
@@ -79,7 +86,13 @@ double slope_change(const std::vector<double>& x, const std::vector<double>& y,
   gsl_fit_wlinear(x.data(), 1, w.data(), 1, square.data(), 1, n, &c0, &c1, &cov00, &cov01, &cov11, &chi2);
   double along = 0;
   for (std::size_t k = 0; k < n; ++k) along += w[k] * (square[k] - c0 - c1 * x[k]) * y[k];
-  return 2 * (along / chi2) * (x.back() - x.front());  // chi2 is the weighted norm of that remainder
+  const double range = x.back() - x.front();
+  fit.drift = 2 * (along / chi2) * range;  // chi2 is the weighted norm of that remainder
+  if (n < 4) return;
+  const double freedom = static_cast<double>(n - 3);
+  const double left = std::max(0.0, straight - along * along / chi2);
+  fit.drift_half_width =
+      2 * std::abs(range) * student_quantile(confidence, freedom) * std::sqrt(left / freedom / chi2);
 }
 
 void fit_line(const std::vector<Weighted>& levels, double confidence, OrderFit& fit) {
@@ -96,13 +109,11 @@ void fit_line(const std::vector<Weighted>& levels, double confidence, OrderFit& 
                   &cov11, &chi2);
   if (n < 3) return;
   const double freedom = static_cast<double>(n - 2);
-  const boost::math::students_t_distribution<double> student(freedom);
-  const double quantile = boost::math::quantile(boost::math::complement(student, (1 - confidence) / 2));
-  const double half =
-      quantile * std::sqrt(cov11 * chi2 / freedom);  // cov11 is for unit variance: scale by the residuals
+  // cov11 is for unit variance: scale by the residuals
+  const double half = student_quantile(confidence, freedom) * std::sqrt(cov11 * chi2 / freedom);
   fit.lower = fit.order - half;
   fit.upper = fit.order + half;
-  fit.drift = slope_change(x, y, w);
+  fit_drift(x, y, w, chi2, confidence, fit);
 }
 
 }  // namespace

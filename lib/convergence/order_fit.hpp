@@ -41,6 +41,8 @@ struct OrderFit {
   /// Change of the local slope over the fitted range, from coarsest to finest (weighted quadratic fit in
   /// logarithms); 0 for an exact power law. Needs 3 usable levels.
   double drift = std::numeric_limits<double>::quiet_NaN();
+  /// Half-width of the interval of the drift, from the residuals of the quadratic fit. Needs 4 usable levels.
+  double drift_half_width = std::numeric_limits<double>::quiet_NaN();
   /// Order between each level and the next finer one, for all given levels, fitted or not. NaN where an error
   /// is 0 or not finite, or where its sign changes.
   std::vector<double> pairwise;

@@ -33,7 +33,9 @@ struct VerdictRules {
   std::size_t min_levels = 4;   ///< two levels prove nothing, three leave the interval one degree of freedom
   double max_half_width = 0.5;  ///< a wider interval does not tell p from p + 1/2
   double max_drift = 0.5;       ///< change of the local slope over the fitted range
-  double resolution = 0.1;      ///< orders nearer than this are not told apart
+  double resolution = 0.1;      ///< a bias of this size may come from the next term of the expansion
+  double departure = 0.15;      ///< finest pair off by more: not the 0.14 of a level at ten floors
+  double digits = 0.005;        ///< orders are stated with two decimals: an interval is read as printed
   double least_order = 0.25;    ///< |order| below this is no convergence: 16 % a halving
 };
 
@@ -45,9 +47,16 @@ struct VerdictRules {
 /// 5. a larger error on the finest than on the coarsest fitted level: fail;
 /// 6. |drift| > max_drift: not_asymptotic;
 /// 7. half-width > max_half_width: inconclusive;
-/// 8. the declared order within [lower, upper], or within order +- resolution: pass;
-/// 9. the local slope drifts towards the declared order by more than 2 resolutions: not_asymptotic;
-/// 10. else fail, on either side.
+/// 8. the interval [lower, upper] contains the declared order (to its digits): pass, but not_asymptotic where
+/// the
+///    local slope moves away from it: the finest pair is farther off than the fit and than `departure`, and
+///    either the drift is more than a resolution and its interval excludes 0, or four pairs or more recede in
+///    sequence;
+/// 9. the order is within a resolution of the declared one and the pairwise orders converge to it (none
+///    farther off than the one before, the last at most half as far as the first): pass;
+/// 10. the local slope drifts towards the declared order by more than what is missing, or by more than 2
+///    resolutions: not_asymptotic;
+/// 11. else fail, on either side.
 Verdict judge(const OrderFit& fit, double declared, const VerdictRules& rules = {});
 
 /// Decides, in this sequence:

@@ -30,6 +30,18 @@ std::vector<std::vector<BondConstants<d>>> bonds_of_kinds(const Surroundings<d>&
   return bonds;
 }
 
+/// The row's force weights as options.adjust_force wants them.
+template <int d>
+void adjust(SlotRow<d>& row, Index i, const Surroundings<d>& seen, const BondOptions<d>& options) {
+  std::vector<Index> others;
+  std::vector<Vec<d>> force;
+  for (const auto j : seen.all.of(i))
+    if (j != i) others.push_back(j);
+  for (const auto& bond : row.bonds) force.push_back(bond.force);
+  options.adjust_force(seen.cloud, i, others, force, row.own_force);
+  for (std::size_t n = 0; n < force.size(); ++n) row.bonds[n].force = force[n];
+}
+
 /// Appends the row of one pack: the union of its lanes' offsets, ascending, with zero weights where a lane
 /// lacks one.
 template <int d>
@@ -136,11 +148,15 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
     for (const Index i : neighbourhoods.representative) shared.push_back(std::move(bonds[i]));
     bonds = std::move(shared);
   }
-  const Kinds kinds = kinds_by_neighbours(seen, neighbourhoods);
+  const Kinds kinds =
+      options.adjust_force ? all_different(cloud.size()) : kinds_by_neighbours(seen, neighbourhoods);
   std::vector<SlotRow<d>> rows(kinds.representative.size());
 #pragma omp parallel for schedule(static)
-  for (Index k = 0; k < static_cast<Index>(rows.size()); ++k)
-    rows[k] = slot_row<d>(kinds.representative[k], seen, neighbourhoods, bonds, options);
+  for (Index k = 0; k < static_cast<Index>(rows.size()); ++k) {
+    const Index i = kinds.representative[k];
+    rows[k] = slot_row<d>(i, seen, neighbourhoods, bonds, options);
+    if (options.adjust_force) adjust<d>(rows[k], i, seen, options);
+  }
   pack(table, rows, rows_of_slots(seen, kinds, table), options);
   return table;
 }

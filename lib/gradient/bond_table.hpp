@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,12 @@ struct BondOptions {
   /// that are projected onto global constraints. Empty: every particle's stencil comes from its own
   /// neighbourhood.
   std::function<void(Cloud<d>&, const Neighbours&, std::vector<std::vector<BondConstants<d>>>&)> project;
+  /// Changes the force weights a_ij to the other particles, and s_i, of one particle after its momentum form
+  /// has made them: the seam for corrections of the force that leave F alone. Empty: they stay as they are.
+  /// Not for bodies with walls.
+  std::function<void(const Cloud<d>&, Index i, std::span<const Index> others, std::span<Vec<d>> force,
+                     Vec<d>& own)>
+      adjust_force;
 };
 
 /// The reference neighbourhood as constants per bond: all that the kernel, the correction, the estimator and

@@ -70,9 +70,9 @@ InputError syntax_error(const std::string& prefix, const std::string& text, int 
   std::string message = error.GetMsg();
   if (!message.empty()) message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
   const auto tail = message.find(" found at position");
-  if (tail != std::string::npos) message = message.substr(0, tail);
+  if (tail != std::string::npos) message.resize(tail);
   const auto place = message.find(" at position");
-  if (place != std::string::npos) message = message.substr(0, place);
+  if (place != std::string::npos) message.resize(place);
   return {fmt::format("{}: {} at position {}", in, message, position + 1), "it is not a formula", ""};
 }
 

@@ -29,7 +29,9 @@ std::vector<std::string> start_table_names() {
   return {"standard", "improved"};
 }
 std::vector<std::string> momentum_names() {
-  return names_of(MomentumCatalogue{});
+  auto names = names_of(MomentumCatalogue{});
+  names.emplace_back("variational");
+  return names;
 }
 std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});

@@ -12,6 +12,7 @@ std::vector<std::string> pair_names();
 std::vector<std::string> gradient_names();
 /// Estimators whose table can be made compatible.
 std::vector<std::string> start_table_names();
+/// The forms of the catalogue, and "variational" (the adjoint one, corrected).
 std::vector<std::string> momentum_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> wave_speed_names();

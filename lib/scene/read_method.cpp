@@ -47,6 +47,9 @@ Method read_method_section(const Section& root) {
   method.pair = section->choice_or("pair", method.pair, pair_names());
   method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
+  if (method.momentum == "variational" && method.gradient == "compatible")
+    section->fail("momentum", "\"variational\" contradicts gradient = \"compatible\"",
+                  "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
   method.integrator = section->choice_or("integrator", method.integrator, integrator_names());
   method.wave_speed = section->choice_or("wave_speed", method.wave_speed, wave_speed_names());
   method.time_step = section->optional_number("time_step", quantity::time, Sign::positive);
@@ -106,6 +109,8 @@ void refuse_beside_mirror(const Section& root, Layout layout, const Method& meth
   };
   if (method.gradient == "compatible")
     refuse("method", "gradient", "compatible area vectors end at the surface, where particles must lie");
+  if (method.momentum == "variational")
+    refuse("method", "momentum", "its correction needs particles on the surface, and has no bonds to images");
   if (root.has("hourglass")) refuse("hourglass", "", "the hourglass energy has no bonds to images");
   if (root.has("projection")) refuse("projection", "", "images exert a torque that is not to be taken away");
 }

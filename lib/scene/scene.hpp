@@ -67,7 +67,8 @@ struct Method {
   std::string pair = "W1";  ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
   std::string gradient = "improved";  ///< standard | improved | bond38 | compatible
   Compatible compatible;              ///< of gradient = "compatible" only
-  std::string momentum = "adjoint";   ///< symmetrised (22) | adjoint: energy and angular momentum exact
+  std::string momentum =
+      "adjoint";  ///< symmetrised (22) | adjoint: energy and angular momentum exact | variational
   std::string integrator = "verlet";  ///< rk3 | verlet
   std::optional<double> cfl =
       0.5;  ///< alpha_CFL (31); nullopt if time_step is set. 0.5: every measured variant is stable

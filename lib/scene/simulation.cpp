@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "plumbline/compatible/clipped_surface.hpp"
+#include "plumbline/compatible/consistent_force.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/geometry/clipped_cells.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
 #include "plumbline/projection/angular_momentum.hpp"
+#include "plumbline/scene/warnings.hpp"
 
 namespace plumb {
 namespace {
@@ -160,6 +162,10 @@ StepControl step_control(const Scene& scene) {
   return control;
 }
 
+bool needs_surface(const Method& method) {
+  return method.gradient == "compatible" || method.momentum == "variational";
+}
+
 template <int d>
 std::shared_ptr<CompatibleReport> make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
                                                      const Surface<d>& surface) {
@@ -180,22 +186,16 @@ Surface<d> guess_surface(Cloud<d>& cloud) {
   return clipped_surface<d>(cloud, shape);
 }
 
+double damping_limit(const Scene& scene) {
+  return scene.method.integrator == "rk3" ? rk3_damping_limit : verlet_damping_limit;
+}
+
 template <int d>
 void add_jst(Simulation<d>& simulation, const Scene& scene) {
   const JstOptions options{scene.jst->eta2, scene.jst->eta4};
   add_term(simulation.solid, jst_term(simulation.solid, options));
   if (options.eta4 == 0) return;
-  const double damping = scene.method.integrator == "rk3" ? rk3_damping_limit : verlet_damping_limit;
-  simulation.solid.step_limit = jst_step_limit(simulation.solid, options, damping);
-  const double wanted = time_step(simulation.solid, simulation.state, simulation.control);
-  const double unlimited =
-      simulation.control.cfl * simulation.solid.cloud.spacing / simulation.solid.elastic.wave_speed();
-  if (!simulation.control.fixed_step && wanted < unlimited * (1 - 1e-9))
-    simulation.warnings.push_back(
-        fmt::format("JST limits the time step to {:.6g} s, {:.3g} of what cfl = {:g} asks for (eta4 beta^3 "
-                    "Lambda is above the "
-                    "integrator's damping limit {:g})",
-                    wanted, wanted / unlimited, simulation.control.cfl, damping));
+  simulation.solid.step_limit = jst_step_limit(simulation.solid, options, damping_limit(scene));
 }
 
 }  // namespace
@@ -208,7 +208,8 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   options.pair = pair_named(scene.method.pair);
   const bool compatible = scene.method.gradient == "compatible";
   options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
-  options.momentum = momentum_form_named<d>(scene.method.momentum);
+  const bool variational = scene.method.momentum == "variational";
+  options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
   options.walls = walls_of(scene);
   if (scene.jst) {
     options.laplacian = true;
@@ -222,7 +223,7 @@ template <int d>
 Simulation<d> make_simulation(const Scene& scene) {
   Cloud<d> cloud = make_cloud<d>(scene.body);
   std::optional<Surface<d>> surface;
-  if (scene.method.gradient == "compatible" && scene.method.compatible.surface == "shape")
+  if (needs_surface(scene.method) && scene.method.compatible.surface == "shape")
     surface = surface_of<d>(scene.body, cloud);
   return make_simulation<d>(scene, std::move(cloud), surface);
 }
@@ -232,16 +233,17 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
   const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   Simulation<d> simulation;
-  if (scene.method.gradient == "compatible") {
-    if (!surface) {
-      surface = guess_surface(cloud);
-      simulation.warnings.push_back(
-          fmt::format("the surface is estimated from the particles, at about half a spacing beyond them: "
-                      "volume {:.6g} m^{}",
-                      surface->volume, d));
-    }
-    simulation.compatible = make_it_compatible(options, scene.method.compatible, *surface);
+  std::vector<std::string> warnings;
+  if (needs_surface(scene.method) && !surface) {
+    surface = guess_surface(cloud);
+    warnings.push_back(
+        fmt::format("the surface is estimated from the particles, at about half a spacing beyond them: "
+                    "volume {:.6g} m^{}",
+                    surface->volume, d));
   }
+  if (scene.method.gradient == "compatible")
+    simulation.compatible = make_it_compatible(options, scene.method.compatible, *surface);
+  if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
   simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
   simulation.state = make_state(simulation.solid);
   simulation.control = step_control(scene);
@@ -253,7 +255,13 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
     add_term(simulation.solid, hourglass_term(simulation.solid, options.kernel, scene.hourglass->alpha));
   if (scene.projection) add_term(simulation.solid, angular_momentum_projection(simulation.solid));
   refuse_contradictions<d>(simulation.solid.cloud, simulation.supports);
-  require_progress(time_step(simulation.solid, simulation.state, simulation.control), scene);
+  const double step = time_step(simulation.solid, simulation.state, simulation.control);
+  require_progress(step, scene);
+  simulation.warnings =
+      warnings_of<d>(scene, simulation.solid,
+                     {step, crossing_time(simulation.solid, simulation.state, simulation.control.wave_speed),
+                      damping_limit(scene)});
+  simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
   if (!simulation.supports.empty())
     add_term(simulation.solid, support_term(simulation.solid, simulation.supports));
   simulation.stepper = stepper_named<d>(scene.method.integrator, simulation.solid);

@@ -45,10 +45,12 @@ std::optional<Expect> read_expect(const Section& root) {
   Expect expect;
   expect.l2 = section->optional_number("l2", quantity::number);
   expect.h1 = section->optional_number("h1", quantity::number);
+  expect.velocity_l2 = section->optional_number("velocity_l2", quantity::number);
+  expect.stress_l2 = section->optional_number("stress_l2", quantity::number);
   expect.reason = section->text("reason");
   section->reject_unknown();
-  if (!expect.l2 && !expect.h1)
-    section->fail("l2", "missing key", "neither l2 nor h1 declares an order",
+  if (!expect.l2 && !expect.h1 && !expect.velocity_l2 && !expect.stress_l2)
+    section->fail("l2", "missing key", "neither l2 nor h1, velocity_l2 or stress_l2 declares an order",
                   "leave out [expect] to report only");
   return expect;
 }

@@ -11,7 +11,7 @@ namespace plumb {
 
 /// [expect]: the orders that a study declares before it is run, with the reason.
 struct Expect {
-  std::optional<double> l2, h1;
+  std::optional<double> l2, h1, velocity_l2, stress_l2;
   std::string reason;
 };
 

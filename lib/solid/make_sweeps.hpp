@@ -79,4 +79,11 @@ Sweeps<d> lattice_sweeps(const M& material, const BondTable<d>& all) {
   return s;
 }
 
+/// The loops of material M that fit the table. A material of one's own, outside of the catalogue:
+/// body.sweeps = sweeps_of<d>(material, body.bonds).
+template <int d, MaterialModel<d> M>
+Sweeps<d> sweeps_of(const M& material, const BondTable<d>& bonds) {
+  return bonds.width == 1 ? plain_sweeps<d>(material, bonds) : lattice_sweeps<d>(material, bonds);
+}
+
 }  // namespace plumb

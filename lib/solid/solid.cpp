@@ -10,10 +10,8 @@ namespace plumb {
 template <int d>
 Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds) {
   Sweeps<d> sweeps;
-  if (!with_named(MaterialCatalogue{}, material, [&]<class M>(Type<M>) {
-        const M model(elastic);
-        sweeps = bonds.width == 1 ? plain_sweeps<d>(model, bonds) : lattice_sweeps<d>(model, bonds);
-      }))
+  if (!with_named(MaterialCatalogue{}, material,
+                  [&]<class M>(Type<M>) { sweeps = sweeps_of<d>(M(elastic), bonds); }))
     throw unknown_name("material model", material, names_of(MaterialCatalogue{}));
   return sweeps;
 }

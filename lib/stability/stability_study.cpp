@@ -55,6 +55,18 @@ std::vector<Variant> read_variants(const Section& root) {
         {section.text("name"), section.has("set") ? section.texts("set") : std::vector<std::string>{}});
     section.reject_unknown();
   }
+  return variants;
+}
+
+/// Those of the study itself, then those of the list that it names: a file that several studies share.
+std::vector<Variant> all_variants(const Section& root, const std::string& list) {
+  std::vector<Variant> variants = read_variants(root);
+  if (!list.empty()) {
+    const TomlValue document = parse_document(read_text(list), list);
+    const Section shared(document, "");
+    for (auto& variant : read_variants(shared)) variants.push_back(std::move(variant));
+    shared.reject_unknown();
+  }
   if (variants.empty()) variants.push_back({"as written", {}});
   return variants;
 }
@@ -100,7 +112,10 @@ StabilityStudy read_stability_study(const std::string& path, const std::vector<s
   const Section head = root.section("stability");
   StabilityStudy study;
   study.name = head.text_or("name", std::filesystem::path(path).stem().string());
-  study.file = (std::filesystem::path(path).parent_path() / head.text("scene")).lexically_normal().string();
+  const auto beside = [&path](const std::string& file) {
+    return (std::filesystem::path(path).parent_path() / file).lexically_normal().string();
+  };
+  study.file = beside(head.text("scene"));
   study.scene = read_text(study.file);
   if (head.has("set")) study.set = head.texts("set");
   study.parameter = read_parameter(head);
@@ -109,8 +124,9 @@ StabilityStudy read_stability_study(const std::string& path, const std::vector<s
   study.values = study.over.empty() ? std::vector<std::string>{""} : head.texts("values");
   study.bounds.energy_growth = head.optional_number("energy_growth", quantity::number, Sign::not_negative);
   study.bounds.hourglass = head.optional_number("hourglass", quantity::number, Sign::positive);
+  const std::string list = head.has("schemes") ? beside(head.text("schemes")) : "";
   head.reject_unknown();
-  study.variants = read_variants(root);
+  study.variants = all_variants(root, list);
   root.reject_unknown();
   require_scenes(study);
   return study;

@@ -33,7 +33,8 @@ struct StabilityStudy {
   StabilityBounds bounds;
 };
 
-/// Reads a study file; `scene` in it is relative to the file. Throws SceneError.
+/// Reads a study file; `scene` in it, and `schemes`, a file of further variants, are relative to the file.
+/// Throws SceneError.
 StabilityStudy read_stability_study(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The overrides of one run: of the study, the variant, the second parameter, and `value` of the first.

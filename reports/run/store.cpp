@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,17 +10,13 @@
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/output/json.hpp"
+#include "plumbline/output/sitting.hpp"
 #include "reports/run/process.hpp"
 
 namespace plumb::reports::run {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// 122 bits of the SHA-1 of the text.
-std::string hash(const std::string& text) {
-  return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text));
-}
 
 /// The last lines of what a program said, on one line.
 std::string last_words(const fs::path& messages) {
@@ -46,6 +40,12 @@ std::string shell_word(const std::string& word) {
   return "'" + word + "'";
 }
 
+/// A program that was asked to end says so in its result: that is not all of it.
+bool is_whole(const fs::path& result) {
+  const auto json = nlohmann::json::parse(content_of(result), nullptr, false);
+  return !json.is_object() || json.value("status", nlohmann::json()) != "interrupted";
+}
+
 bool has_result(const fs::path& folder) {
   return fs::exists(folder / "result.json") && fs::exists(folder / "cost.json");
 }
@@ -67,13 +67,13 @@ Store::Store(fs::path folder, fs::path program, fs::path root, int threads, cons
       program_(std::move(program)),
       root_(std::move(root)),
       threads_(threads),
-      code_(hash(code.empty() ? content_of(program_) : code)) {}
+      code_(name_of_content(code.empty() ? content_of(program_) : code)) {}
 
 std::string Store::key(const Job& job) const {
   std::string all = code_ + fmt::format("\nthreads {}\n{}\n", threads_, machine());
   for (const auto& argument : job.arguments) all += argument + "\n";
-  for (const auto& input : job.inputs) all += input + " " + hash(content_of(root_ / input)) + "\n";
-  return hash(all);
+  for (const auto& input : job.inputs) all += input + " " + name_of_content(content_of(root_ / input)) + "\n";
+  return name_of_content(all);
 }
 
 JobResult Store::get(const Job& job) const {
@@ -108,7 +108,8 @@ JobResult Store::compute(const Job& job, JobResult result) const {
   result.exit_code = ended.exit_code;
   result.wall_s = ended.wall_s;
   result.cpu_s = ended.cpu_s;
-  if (ended.exit_code > 1 || !fs::exists(work / "result.json")) {
+  const fs::path made = work / "result.json";
+  if (ended.exit_code > 1 || !fs::exists(made) || !is_whole(made)) {
     result.failure = fmt::format("exit code {}: {}", ended.exit_code, last_words(work / "messages.txt"));
     fs::remove_all(work);
     return result;

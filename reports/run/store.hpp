@@ -17,8 +17,8 @@ class Store {
   Store(std::filesystem::path folder, std::filesystem::path program, std::filesystem::path root, int threads,
         const std::string& code = {});
 
-  /// The stored result, or a fresh one. A job that fails (exit code other than 0 and 1, or no JSON) is not
-  /// kept.
+  /// The stored result, or a fresh one. A job that fails (exit code other than 0 and 1, or no JSON) or was
+  /// interrupted is not kept.
   JobResult get(const Job& job) const;
 
  private:

@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 const std::string plate_file = "verification/studies/static_plate.toml";
 const std::string twist_file = "verification/scenes/twisting-column-105-compatible.toml";
 
+const std::string variational = "static-variational";
+
 struct Variant {
   std::string id, name;
   std::vector<std::string> set;
@@ -31,7 +33,10 @@ std::vector<Variant> plates() {
            "paper: improved, symmetrised",
            {"method.gradient=improved", "method.momentum=symmetrised"}},
           {"static-adjoint", "improved, adjoint", {"method.gradient=improved"}},
-          {"static-standard", "standard, adjoint", {"method.gradient=standard"}}};
+          {"static-standard", "standard, adjoint", {"method.gradient=standard"}},
+          {variational,
+           "improved, variational force",
+           {"method.gradient=improved", "method.momentum=variational"}}};
 }
 constexpr std::size_t compatible_plates = 3;
 
@@ -83,6 +88,30 @@ Figure share_figure(const Results& results) {
   return figure;
 }
 
+/// What each scheme of the static plate costs and gains on its finest cloud.
+DataTable cost_table(const Results& results) {
+  DataTable table{"compatible-cost",
+                  "Static plate, finest cloud: error and CPU time",
+                  {{"scheme"},
+                   {"relative L₂ error", "", 3},
+                   {"relative H₁ error", "", 3},
+                   {"relative stress error, L₂", "", 3},
+                   {"frequency error", "", 3},
+                   {"set-up", "s", 3},
+                   {"solution", "s", 3}},
+                  {}};
+  for (const auto& v : plates()) {
+    const Json level = results.json(v.id).at("levels").back();
+    const auto found = level.find("frequency_error");
+    table.rows.push_back(
+        {v.name, number(level, "l2"), number(level, "h1"), number(level, "stress_l2"),
+         found == level.end() ? Entry(std::string("no such vibration found")) : Entry(found->get<double>()),
+         number(level, "setup_s"), number(level, "solve_s")});
+    table.jobs.push_back(v.id);
+  }
+  return table;
+}
+
 DataTable twist_table(const Results& results) {
   DataTable table{
       "compatible-twists",
@@ -103,23 +132,25 @@ Section write(const Results& results) {
   Section s;
   s.question = "Is there a scheme of this kind that converges on irregular particles and conserves exactly?";
   s.tables = {fits_table("compatible-fits", "Fitted orders of the static plate", {})};
-  std::size_t number = 0, passed = 0, others_passed = 0;
+  std::size_t at = 0, passed = 0, others_passed = 0;
   double best_other = std::numeric_limits<double>::infinity();
   for (const auto& v : plates()) {
     const Json result = results.json(v.id);
-    const bool compatible = number++ < compatible_plates;
+    const bool compatible = at++ < compatible_plates;
     add_fits(s.tables[0], v.name, v.id, result, "compatible-plate");
     if (compatible) {
       s.checks.push_back(study_check("L₂ order on irregular particles, " + v.name, result, "l2"));
       s.checks.back().job = v.id;
       passed += s.checks.back().verdict == "pass" ? 1 : 0;
-    } else {
+    } else if (v.id != variational) {
       others_passed += study_check("", result, "l2").verdict == "pass" ? 1 : 0;
       best_other = std::min(best_other, result.at("levels").back().at("l2").get<double>());
     }
   }
   const Json finest = results.json("static-compatible").at("levels").back();
+  s.tables.push_back(cost_table(results));
   s.tables.push_back(twist_table(results));
+  const Check mended = study_check("", results.json(variational), "l2");
   for (std::size_t n = 0; n < 2; ++n) {
     const Json run = results.json(twists()[n].id);
     s.checks.push_back(bound_check("energy change of the twisted column, " + twists()[n].name,
@@ -134,11 +165,15 @@ Section write(const Results& results) {
   s.answer = fmt::format(
       "{}: compatible bonds have order 2 in {} of {} studies on irregular particles, the schemes that are "
       "not "
-      "projected in {} of {}; at d = {:g} m the error is {:.2g} times below the best of those.",
+      "changed in {} of {}; at d = {:g} m the error is {:.2g} times below the best of those.",
       passed == compatible_plates ? "Yes" : "In part", passed, compatible_plates, others_passed,
-      plates().size() - compatible_plates, finest.at("d").get<double>(),
+      plates().size() - compatible_plates - 1, finest.at("d").get<double>(),
       best_other / finest.at("l2").get<double>());
   s.notes = {
+      fmt::format("Between the two: the variationally consistent force (chapter 13) leaves F alone and "
+                  "corrects the force weights "
+                  "of each particle, without any system. Order in L₂ {}: {}. It gives up momenta and energy.",
+                  mended.measured, mended.verdict),
       "The bond table is projected once, at set-up, onto area vectors that are antisymmetric, closed and "
       "exact; the same "
       "vectors make the deformation gradient and the force (lib/THEORY.md, chapter 11).",

@@ -24,11 +24,12 @@ std::string word(const Json& value) {
 int outcome_at(const Json& row, double parameter) {
   const double stable = number(row, "limit"), unstable = number(row, "y");
   if (parameter <= stable) return 0;
-  if (std::isnan(unstable) || parameter < unstable) return -1;  // not known
+  if (row.at("cause").is_null() || parameter < unstable) return -1;  // not known
   const auto found = std::find(outcomes.begin(), outcomes.end(), text(row, "cause"));
   return static_cast<int>(found - outcomes.begin());
 }
 
+/// Schemes of the study, in its order.
 std::vector<std::string> variants_of(const Json& rows) {
   std::vector<std::string> names;
   for (const auto& row : rows)
@@ -37,34 +38,56 @@ std::vector<std::string> variants_of(const Json& rows) {
   return names;
 }
 
-/// Columns: the values of the second parameter, one after the other. Rows: the first parameter.
-Figure map_of(const Json& study, const std::string& job, const std::string& variant, std::size_t place) {
-  constexpr int cells = 48;
+/// The rows of a scheme, in the order of the second parameter.
+std::vector<Json> rows_of(const Json& study, const std::string& variant) {
   std::vector<Json> rows;
-  std::string columns;
-  for (const auto& row : study.at("rows")) {
-    if (text(row, "variant") != variant) continue;
-    rows.push_back(row);
-    columns += (columns.empty() ? "" : ", ") + word(row.at("x"));
-  }
+  for (const auto& row : study.at("rows"))
+    if (text(row, "variant") == variant) rows.push_back(row);
+  return rows;
+}
+
+/// Top of the map: a little above the largest value that was found, stable or unstable.
+double top_of(const Json& study) {
   double top = number(study, "from");
   for (const auto& row : study.at("rows"))
     for (const char* key : {"limit", "y"})
       if (const double value = number(row, key); std::isfinite(value)) top = std::max(top, value);
+  return 1.15 * top;
+}
+
+/// One group of columns for each scheme, around 1, 2, ..: the values of the second parameter from left to
+/// right, and an empty column. Upwards: the first parameter.
+Figure map_of(const Json& study, const std::string& job) {
+  constexpr int cells = 60;
+  const auto variants = variants_of(study.at("rows"));
+  const double top = top_of(study);
   CategoryMap map;
   map.names = outcomes;
-  for (std::size_t k = 0; k < rows.size(); ++k) map.x.push_back(static_cast<double>(k + 1));
-  for (int j = 0; j < cells; ++j) {
-    map.y.push_back(1.15 * top * (j + 0.5) / cells);
-    for (const auto& row : rows) map.z.push_back(outcome_at(row, map.y.back()));
+  Picture picture{text(study, "study"), {"scheme"}, {text(study, "parameter")}};
+  std::vector<Json> columns;
+  std::string schemes, values;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const auto rows = rows_of(study, variants[k]);
+    const auto width = static_cast<double>(rows.size() + 1);
+    for (std::size_t n = 0; n <= rows.size(); ++n) {
+      map.x.push_back(static_cast<double>(k + 1) + (static_cast<double>(n) - 0.5 * (width - 2)) / width);
+      columns.push_back(n < rows.size() ? rows[n] : Json());
+      if (k == 0 && n < rows.size()) values += (n ? ", " : "") + word(rows[n].at("x"));
+    }
+    picture.x.ticks.push_back(static_cast<double>(k + 1));
+    schemes += fmt::format("{}{}: {}", k ? "; " : "", k + 1, variants[k]);
   }
-  Picture picture{variant, {text(study, "over") + ": " + columns}, {text(study, "parameter")}};
-  picture.x.ticks = map.x;
+  for (int j = 0; j < cells; ++j) {
+    map.y.push_back(top * (j + 0.5) / cells);
+    for (const auto& row : columns) map.z.push_back(row.is_null() ? -1 : outcome_at(row, map.y.back()));
+  }
+  picture.width = 1100;
   picture.map = std::move(map);
-  return {fmt::format("{}-{}", job, place),
-          std::move(picture),
-          text(study, "study") + ". Columns from left to right: " + columns + ".",
-          {job}};
+  return {
+      job + "-map",
+      std::move(picture),
+      fmt::format("Schemes: {}. For each from left to right {} = {}.", schemes, text(study, "over"), values),
+      {job}};
 }
 
 DataTable table_of(const Json& study, const std::string& job) {
@@ -101,7 +124,8 @@ void compare_with_theory(const Results& results, Section& s) {
   double worst = 0;
   for (const auto& limit : results.json("edge-small-motion").at("rows"))
     for (const auto& spectrum : results.json("edge-theory").at("rows"))
-      if (text(spectrum, "method.integrator") == text(limit, "variant") &&
+      if (text(spectrum, "method.integrator") + ", " + text(spectrum, "method.gradient") ==
+              text(limit, "variant") &&
           std::stod(text(spectrum, "method.beta")) == number(limit, "x"))
         worst = std::max(worst, std::abs(number(limit, "limit") / number(spectrum, "stable_cfl") - 1));
   s.checks.push_back(
@@ -118,11 +142,7 @@ Section write(const Results& results, const std::vector<Job>& jobs) {
     if (job.id == "edge-theory") continue;
     const Json study = results.json(job.id);
     for (const auto& row : study.at("rows")) cpu += number(row, "cpu_s"), runs += number(row, "runs");
-    if (text(study, "parameter") != "stretch") {
-      const auto variants = variants_of(study.at("rows"));
-      for (std::size_t k = 0; k < variants.size(); ++k)
-        s.figures.push_back(map_of(study, job.id, variants[k], k));
-    }
+    s.figures.push_back(map_of(study, job.id));
     s.tables.push_back(table_of(study, job.id));
   }
   s.answer = fmt::format(
@@ -142,18 +162,21 @@ Section write(const Results& results, const std::vector<Job>& jobs) {
 SectionPlan stability_maps(bool long_run) {
   const std::string folder = "verification/stability/", scenes = "verification/scenes/";
   const auto job = [&](const std::string& study, const std::string& scene) {
-    return Job{
-        "edge-" + study, {"stability", folder + study + ".toml"}, {folder + study + ".toml", scenes + scene}};
+    return Job{"edge-" + study,
+               {"stability", folder + study + ".toml"},
+               {folder + study + ".toml", folder + "schemes.toml", scenes + scene}};
   };
-  std::vector<Job> jobs = {{"edge-theory",
-                            {"spectrum", scenes + "free_plate.toml", "--over", "method.integrator=verlet,rk3",
-                             "--over", "method.beta=0.9,1.2,1.5"},
-                            {scenes + "free_plate.toml"}},
-                           job("small-motion", "free_plate.toml"),
-                           job("plate-eta4-step", "free_plate.toml"),
-                           job("plate-jitter-beta", "free_plate.toml"),
-                           job("plate-cfl-kernel", "free_plate.toml"),
-                           job("strip-cfl-thickness", "free_plate.toml")};
+  std::vector<Job> jobs = {
+      {"edge-theory",
+       {"spectrum", scenes + "free_plate.toml", "--set", "body.layout=node", "--over",
+        "method.integrator=verlet,rk3", "--over", "method.gradient=standard,improved,compatible", "--over",
+        "method.beta=0.9,1.2,1.5"},
+       {scenes + "free_plate.toml"}},
+      job("small-motion", "free_plate.toml"),
+      job("plate-eta4-step", "free_plate.toml"),
+      job("plate-jitter-beta", "free_plate.toml"),
+      job("plate-cfl-kernel", "free_plate.toml"),
+      job("strip-cfl-thickness", "free_plate.toml")};
   if (long_run) {
     jobs.push_back(job("bending-cfl-nu", "bending-column.toml"));
     jobs.push_back(job("bending-cfl-beta", "bending-column.toml"));

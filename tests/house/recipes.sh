@@ -7,7 +7,7 @@ tree=$work/tree build=$work/build
 mkdir -p "$work"
 rm -rf "$tree"
 mkdir "$tree"
-for part in CMakeLists.txt CMakePresets.json CONTRIBUTING.md lib mms oned reports verification tests; do
+for part in .ci CMakeLists.txt CMakePresets.json CONTRIBUTING.md lib mms oned reports verification tests; do
   cp -r "$source/$part" "$tree/"
 done
 
@@ -16,7 +16,8 @@ awk -v tree="$tree" '
   /^```[a-z]+ [^ ]*\// { file = tree "/" $2; next }
   /^```/ { file = "" }
   file != "" { print > file }' "$tree/CONTRIBUTING.md"
-for file in lib/kernel/kernels/lucy.hpp lib/material/models/saint_venant_kirchhoff.hpp verification/scenes/stretched-bar.toml; do
+for file in lib/kernel/kernels/lucy.hpp lib/material/models/saint_venant_kirchhoff.hpp \
+  lib/gradient/estimators/least_squares.hpp verification/scenes/stretched-bar.toml; do
   [ -s "$tree/$file" ] || { echo "CONTRIBUTING.md does not show $file"; exit 1; }
 done
 
@@ -32,6 +33,16 @@ passed '*lucy*'
 passed 'MaterialLaws/1.*'  # the second material
 "$plumb" oned kernels --kernel lucy --at 0.5 --quiet --json "$work/lucy.json"
 grep -q lucy "$work/lucy.json"
+passed '*least-squares*'
+"$plumb" list | grep -q 'least-squares *Least-squares fit of F'
+"$plumb" oned study --field sin:3 --n 20,40,80,160 --estimator improved,least-squares --quiet --json "$work/scheme.json"
+grep -q least-squares "$work/scheme.json"
+cd "$tree"  # the lines of the recipe name files from there
+"$plumb" oned response --estimator improved,least-squares >"$work/response.txt"
+"$plumb" spectrum verification/scenes/free_cube.toml --set method.momentum=adjoint --over method.gradient=improved,least-squares
+"$plumb" mms verification/studies/swinging_plate_adjoint.toml --set method.gradient=least-squares --set 'study.spacings=[0.4, 0.25, 0.2, 0.1]' \
+  --json "$work/order.json" || [ $? = 1 ]  # whether it reaches the declared order is what the study is for
+grep -q '"levels"' "$work/order.json"
 scene=$tree/verification/scenes/stretched-bar.toml
 "$plumb" explain "$scene"
 "$plumb" run "$scene" --json "$work/run.json" --out "$work/out"

@@ -12,6 +12,8 @@ PointValue<2> linear(const Vec<2>& X) {
   PointValue<2> value;
   value.gradient << 1, 2, 3, -1;
   value.u = value.gradient * X;
+  value.v = {X[1], 2 * X[0]};
+  value.stress << 3 * X[0], 1, -1, X[1];
   return value;
 }
 
@@ -35,7 +37,15 @@ TEST(GaussNorms, OfALinearFieldAreItsIntegrals) {
   const ErrorNorms norms = gauss_norms<2>(cloud, sampled(cloud), nothing, how);
   EXPECT_NEAR(norms.l2, std::sqrt(28.0), 1e-12);
   EXPECT_NEAR(norms.h1, std::sqrt(30.0), 1e-11);
+  // int Y^2 + 4 X^2 = 2/3 + 32/3; int 9 X^2 + 2 + Y^2 = 24 + 4 + 2/3
+  EXPECT_NEAR(norms.velocity_l2, std::sqrt(34.0 / 3), 1e-12);
+  EXPECT_NEAR(norms.stress_l2, std::sqrt(28 + 2.0 / 3), 1e-12);
+  const ErrorNorms size = gauss_size<2>(cloud.box, linear);
+  for (const NormName& norm : norm_names)
+    EXPECT_NEAR(size.*norm.value / norms.*norm.value, 1, 1e-12) << norm.name;
   const ErrorNorms error = gauss_norms<2>(cloud, sampled(cloud), linear, how);
+  EXPECT_LT(error.velocity_l2, 1e-13);
+  EXPECT_LT(error.stress_l2, 1e-12);
   EXPECT_LT(error.l2, 1e-13);
   EXPECT_LT(error.h1, 1e-12);
   EXPECT_LT(error.linf, 1e-13);
@@ -71,6 +81,25 @@ TEST(NodalNorms, SumWithVolumes) {
   EXPECT_NEAR(norms.l2, std::sqrt(trapezoidal), 1e-12);
   EXPECT_NEAR(norms.h1, std::sqrt(30.0), 1e-12);
   EXPECT_NEAR(norms.linf, std::hypot(4.0, 5.0), 1e-14);  // at (2, 1)
+  EXPECT_NEAR(norms.velocity_l2, std::sqrt(2 * (1.0 / 3 + d * d / 6) + 4 * (8.0 / 3 + d * d / 3)), 1e-12);
+  EXPECT_NEAR(norms.stress_l2, std::sqrt(9 * (8.0 / 3 + d * d / 3) + 4 + 2 * (1.0 / 3 + d * d / 6)), 1e-12);
+  const ErrorNorms size = nodal_size<2>(cloud, linear);
+  for (const NormName& norm : norm_names)
+    EXPECT_NEAR(size.*norm.value, norms.*norm.value, 1e-12) << norm.name;
+}
+
+// A field that is wrong by a known share in each quantity: the absolute norm is that share of the size.
+TEST(NodalNorms, OfEachQuantityAreItsOwn) {
+  const Cloud<2> cloud = plate(Layout::node);
+  NodalValues<2> values = sampled(cloud);
+  for (PointValue<2>& value : values)
+    value.u *= 1.1, value.gradient *= 1.2, value.v *= 1.3, value.stress *= 1.4;
+  const ErrorNorms error = nodal_norms<2>(cloud, values, linear), size = nodal_size<2>(cloud, linear);
+  EXPECT_NEAR(error.l2 / size.l2, 0.1, 1e-12);
+  EXPECT_NEAR(error.linf / size.linf, 0.1, 1e-12);
+  EXPECT_NEAR(error.h1 / size.h1, 0.2, 1e-12);
+  EXPECT_NEAR(error.velocity_l2 / size.velocity_l2, 0.3, 1e-12);
+  EXPECT_NEAR(error.stress_l2 / size.stress_l2, 0.4, 1e-12);
 }
 
 TEST(NodalNorms, ABrokenFieldIsNotANumber) {

@@ -114,6 +114,16 @@ class Resume : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(Resume, AStoppedRunSaysWhatIsKeptAndHowToGoOn) {
+  const auto outcome = stopped("parts", "INT", "--set method.integrator=rk3");
+  EXPECT_NE(outcome.out.find("kept: all rows"), std::string::npos) << outcome.out;
+  const auto at = outcome.out.find("  to go on: plumb ");
+  ASSERT_NE(at, std::string::npos) << outcome.out;
+  const auto rest = outcome.out.substr(at + 18, outcome.out.find('\n', at) - at - 18);
+  EXPECT_EQ(run_shell(PLUMB_EXECUTABLE " " + rest).code, 0) << rest;
+  EXPECT_EQ(summary("parts")["status"], "completed");
+}
+
 TEST_F(Resume, AfterASignalTheRunGoesOnWithTheSameBits) {
   for (const std::string arguments : {"", "--set method.integrator=rk3"}) {
     ASSERT_EQ(run_shell(call("whole", arguments)).code, 0);

@@ -96,6 +96,15 @@ TEST_F(StoreOfResults, FailedStudyIsSaidAndNotKept) {
   EXPECT_TRUE(get().reused);
 }
 
+TEST_F(StoreOfResults, InterruptedStudyIsNotKept) {
+  write(folder / "program",
+        "#!/bin/sh\necho x >> calls\nwhile [ $# -gt 0 ]; do [ \"$1\" = --json ] && echo '{\"status\": "
+        "\"interrupted\"}' > \"$2\"; shift; done\nexit 1\n");
+  EXPECT_FALSE(get().failure.empty());
+  EXPECT_FALSE(get().reused);
+  EXPECT_EQ(calls(), 2u);
+}
+
 TEST_F(StoreOfResults, MissingInputIsSaid) {
   fs::remove(folder / "scene.toml");
   EXPECT_NE(get().failure.find("scene.toml"), std::string::npos);

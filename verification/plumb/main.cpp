@@ -47,7 +47,7 @@ int main(int count, char** arguments) {
   try {
     plumb::Session session;
     session.command_line = plumb::shell_line({arguments + std::min(count, 1), arguments + count});
-    CLI::App program("Plumbline: verification-first numerical analysis of total Lagrangian SPH", "plumb");
+    CLI::App program("Plumbline: total Lagrangian SPH for solids, checked against mathematics", "plumb");
     program.set_version_flag("--version", plumb::version_text());
     plumb::add_all_commands(program, session);
     return run(program, session, count, arguments);

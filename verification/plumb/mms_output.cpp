@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "mms/manufactured.hpp"
@@ -12,18 +11,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json level_json(const mms::StudyLevel& level) {
-  Json row{{"n", level.n},         {"d", level.d},         {"dt", level.dt},          {"steps", level.steps},
-           {"l2", level.nodal.l2}, {"h1", level.nodal.h1}, {"linf", level.nodal.linf}};
-  if (level.gauss) {
-    row["l2_gauss"] = level.gauss->l2;
-    row["h1_gauss"] = level.gauss->h1;
-  }
+Json level_json(const Study& study, const mms::StudyLevel& level) {
+  Json row{{"n", level.n}, {"d", level.d}, {"dt", level.dt}, {"steps", level.steps}};
+  for (const std::string& norm : mms::norms_of(study)) row[norm] = mms::norm_of(level, norm);
+  for (const std::string& norm : mms::norms_of(study))
+    row["relative_" + norm] = mms::norm_of(level, norm) / mms::size_of(level, norm);
   row["cpu_s"] = level.cpu_s;
   row["wall_s"] = level.wall_s;
   row["pair_evaluations"] = level.pair_evaluations;
   if (level.failure) row["status"] = "unstable: " + *level.failure;
   return row;
+}
+
+/// "l2_gauss" as "L2, Gauss".
+std::string norm_text(std::string norm) {
+  const bool gauss = norm.ends_with("_gauss");
+  if (gauss) norm.erase(norm.size() - 6);
+  for (const mms::NormName& known : mms::norm_names)
+    if (known.name == norm) return fmt::format("{}, {}", known.meaning, gauss ? "Gauss" : "nodal");
+  return norm;
+}
+
+/// One picture has one axis: displacements and their gradient, not m/s and Pa.
+bool drawn(const std::string& norm) {
+  return !norm.starts_with("velocity") && !norm.starts_with("stress");
 }
 
 }  // namespace
@@ -43,7 +54,7 @@ Json fit_json(const mms::StudyFit& fit) {
 
 Json json_of(const Study& study, const mms::StudyResult& result) {
   Json levels = Json::array(), fits = Json::array();
-  for (const auto& level : result.levels) levels.push_back(level_json(level));
+  for (const auto& level : result.levels) levels.push_back(level_json(study, level));
   for (const auto& fit : result.fits) fits.push_back(fit_json(fit));
   Json out{{"study", study.name},  {"solution", study.solution},   {"parameters", study.parameters},
            {"force", study.force}, {"time", mms::end_time(study)}, {"levels", levels},
@@ -96,14 +107,10 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
   picture.x = {"spacing", "m", reports::Scale::log};
   picture.y = {"error", "", reports::Scale::log};
   picture.labels = reports::Labels::legend;
-  const std::map<std::string, std::string> names{{"l2", "L2, nodal"},
-                                                 {"h1", "H1, nodal"},
-                                                 {"linf", "max, nodal [m]"},
-                                                 {"l2_gauss", "L2, Gauss"},
-                                                 {"h1_gauss", "H1, Gauss"}};
   for (const auto& fit : result.fits) {
+    if (!drawn(fit.norm)) continue;
     reports::Series series;
-    series.label = names.at(fit.norm);
+    series.label = norm_text(fit.norm);
     for (const auto& level : result.levels) {
       series.x.push_back(level.d);
       series.y.push_back(mms::norm_of(level, fit.norm));

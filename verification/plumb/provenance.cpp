@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "plumb/build.hpp"
+#include "plumb/code.hpp"
 #include "plumb/commit.hpp"
 
 namespace plumb {
@@ -17,9 +18,17 @@ std::string version() {
   return PLUMB_VERSION;
 }
 
+std::string commit_date() {
+  return PLUMB_COMMIT_DATE;
+}
+
 std::string version_text() {
   return fmt::format("plumb {} (commit {}, {} build, {}, {})", PLUMB_VERSION, PLUMB_COMMIT, PLUMB_BUILD_TYPE,
                      PLUMB_COMPILER, PLUMB_FLAGS);
+}
+
+std::string build_identity() {
+  return fmt::format("{}, code {}", version_text(), PLUMB_CODE);
 }
 
 nlohmann::ordered_json provenance() {

@@ -102,21 +102,18 @@ CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& tex
                       std::function<int()> action) {
   CLI::App& command = *parent.add_subcommand(text.name, text.description);
   command.footer("Example: " + text.example);
-  command.add_option("--json", session.json, "write the result as JSON to FILE (- for standard output)")
-      ->type_name("FILE")
-      ->check(file_name);
+  const auto file_option = [&command](const char* name, std::string& file, const char* description) {
+    command.add_option(name, file, description)->type_name("FILE")->check(file_name)->group(shared_options);
+  };
+  file_option("--json", session.json, "write the result as JSON to FILE (- for standard output)");
   if (makes.table)
-    command.add_option("--csv", session.csv, "write the table as CSV to FILE (- for standard output)")
-        ->type_name("FILE")
-        ->check(file_name);
-  if (makes.plot)
-    command.add_option("--plot", session.plot, "draw to FILE.svg or FILE.png")
-        ->type_name("FILE")
-        ->check(file_name);
+    file_option("--csv", session.csv, "write the table as CSV to FILE (- for standard output)");
+  if (makes.plot) file_option("--plot", session.plot, "draw to FILE.svg or FILE.png");
   command.add_option("--threads", session.threads, "threads to use (default: all cores)")
       ->type_name("N")
-      ->check(thread_count);
-  command.add_flag("--quiet", session.quiet, "no progress and no text");
+      ->check(thread_count)
+      ->group(shared_options);
+  command.add_flag("--quiet", session.quiet, "no progress and no text")->group(shared_options);
   command.final_callback([&session, action = std::move(action)] { session.action = action; });
   return command;
 }

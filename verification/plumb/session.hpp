@@ -62,6 +62,9 @@ struct Makes {
   bool plot = false;
 };
 
+/// Heading of the options that every subcommand shares, in the help.
+inline constexpr const char* shared_options = "Options of all commands";
+
 /// Adds a subcommand with the shared options to `parent`; `action` runs after parsing and returns the exit
 /// code. The caller adds its own options to the value returned.
 CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& text, Makes makes,

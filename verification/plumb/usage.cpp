@@ -35,12 +35,6 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands(any)) names.push_back(command->get_name());
-  return names;
-}
-
 std::string unexpected(const CLI::App& app, const std::string& path, const std::string& argument) {
   if (argument.size() > 1 && argument[0] == '-')
     return unknown_name("option", argument.substr(0, argument.find('=')), option_names(app)).what();
@@ -51,18 +45,52 @@ std::string unexpected(const CLI::App& app, const std::string& path, const std::
 
 }  // namespace
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(any)) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::pair<std::string, std::string>> first_calls() {
+  return {{"plumb new scene first.toml", "writes a small scene, every setting explained in it"},
+          {"plumb explain first.toml", "what it solves, with which equations, and what that costs"},
+          {"plumb run first.toml", "runs it: energies, momenta, particles for ParaView"},
+          {"plumb oned study --field sin:3 --estimator standard,improved",
+           "errors and orders of gradients in 1D"},
+          {"plumb mms --check swinging-plate", "a manufactured solution, its loads derived twice"},
+          {"plumb list", "what scenes can name: kernels, gradients, materials .., and scenes to start from"}};
+}
+
+std::string example_of(const CLI::App& app) {
+  const std::string footer = app.get_footer(), start = "Example: ";
+  return footer.starts_with(start) ? footer.substr(start.size()) : "";
+}
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_items_expected_max() > 0;
+}
+
+std::vector<CommandPath> every_command(const CLI::App& program) {
+  std::vector<CommandPath> all;
+  for (const CLI::App* command : program.get_subcommands(any)) {
+    all.push_back({command->get_name(), command});
+    for (const auto& [words, app] : every_command(*command))
+      all.push_back({command->get_name() + " " + words, app});
+  }
+  return all;
+}
+
 std::string first_steps(const CLI::App& program) {
   std::string text = program.get_description() + "\n\nTry first:\n";
+  for (const auto& [line, meaning] : first_calls()) text += fmt::format("  {}\n      {}\n", line, meaning);
   std::size_t width = 0;
   for (const auto& name : command_names(program)) width = std::max(width, name.size());
-  for (const CLI::App* command : program.get_subcommands(any)) {
-    std::string example = command->get_footer();
-    if (example.starts_with("Example: ")) text += "  " + example.substr(9) + "\n";
-  }
   text += "\nCommands:\n";
   for (const CLI::App* command : program.get_subcommands(any))
     text += fmt::format("  {:<{}}  {}\n", command->get_name(), width, command->get_description());
-  return text + "\nplumb COMMAND --help explains one; plumb --version says what this build is.\n";
+  return text +
+         "\nplumb COMMAND --help explains one, with an example; plumb manual | man -l - explains all.\n"
+         "plumb --version says what this build is.\n";
 }
 
 std::string shell_line(const std::vector<std::string>& arguments) {

@@ -1,13 +1,49 @@
 #pragma once
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
 class App;
+class Option;
 class ParseError;
 }  // namespace CLI
 
 namespace plumb {
+
+/// What the exit codes mean.
+inline constexpr std::array<std::pair<int, const char*>, 3> exit_codes{{
+    {0, "done"},
+    {1, "a check failed or a run became unstable"},
+    {2, "bad input: nothing was computed and nothing written"},
+}};
+
+inline constexpr const char* where_examples_run =
+    "Files named verification/.. are in the source tree and in the folder share/plumbline of an "
+    "installation; "
+    "examples run from the folder that holds them.";
+
+/// What to try first, in order: a line to copy and what it does. They need no file but those they make.
+std::vector<std::pair<std::string, std::string>> first_calls();
+
+/// A subcommand with the words that call it, as in "oned study".
+struct CommandPath {
+  std::string words;
+  const CLI::App* app;
+};
+
+/// All subcommands, a group before its members, in the order of the help.
+std::vector<CommandPath> every_command(const CLI::App& program);
+
+/// Names of the subcommands right below.
+std::vector<std::string> command_names(const CLI::App& app);
+
+/// The copyable line of the help of a subcommand; empty if it has none.
+std::string example_of(const CLI::App& app);
+
+/// Whether a value follows the option; a flag has none.
+bool takes_value(const CLI::Option& option);
 
 /// What `plumb` alone prints: what to try first.
 std::string first_steps(const CLI::App& program);

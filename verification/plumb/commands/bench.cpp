@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <map>
@@ -8,6 +10,7 @@
 #include "plumb/bench/cases.hpp"
 #include "plumb/bench/machine.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
 
@@ -22,6 +25,7 @@ struct BenchCommand {
   std::vector<int> threads{1};
   int repeats = 3;
   double seconds = 0.2;
+  SittingOptions sitting;
 };
 
 std::vector<bench::Case> chosen(const BenchCommand& command) {
@@ -71,19 +75,30 @@ Json exponents_of(const Json& rows) {
   return result;
 }
 
-int run_bench(const Session& session, const BenchCommand& command) {
+/// Every case at every size on every number of threads: each is a part of the sitting.
+Json measure_all(const Session& session, const BenchCommand& command, const bench::Machine& machine,
+                 Sitting& sitting) {
   const auto all = chosen(command);
-  const bench::Machine machine = bench::measure_machine();
   Json rows = Json::array();
   Progress progress("bench", session.progress());
   const auto runs = static_cast<double>(all.size() * command.sizes.size() * command.threads.size());
   for (const auto& c : all)
     for (const long n : command.sizes)
       for (const int threads : command.threads) {
-        rows.push_back(row_of(c, bench::measure(c, n, threads, command.repeats, command.seconds), machine));
+        rows.push_back(sitting.part(fmt::format("{}, {} particles, {} threads", c.name, n, threads), [&] {
+          return row_of(c, bench::measure(c, n, threads, command.repeats, command.seconds), machine);
+        }));
         progress.update(static_cast<double>(rows.size()) / runs);
       }
-  progress.finish();
+  return rows;
+}
+
+int run_bench(const Session& session, const BenchCommand& command) {
+  chosen(command);  // a name that is not known is told before the machine is measured
+  const bench::Machine machine = bench::measure_machine();
+  const Json rows = in_one_sitting(
+      session, command.sitting, {}, {fmt::format("bench {} {}", command.repeats, command.seconds)},
+      [&](Sitting& sitting) { return measure_all(session, command, machine, sitting); });
   session.text() << "one core: " << machine.fma_gflops << " GFLOP/s in fused multiply-adds, "
                  << machine.triad_gbs << " GB/s in the triad\n";
   session.write_table(rows);
@@ -120,6 +135,7 @@ void add_bench(CLI::App& program, Session& session) {
   command.add_option("--seconds", options->seconds, "CPU seconds per repeat, about")
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
+  add_sitting_options(command, options->sitting);
 }
 
 }  // namespace plumb

@@ -1,12 +1,13 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "plumb/commands.hpp"
+#include "plumb/explain/account.hpp"
+#include "plumb/explain/cost.hpp"
+#include "plumb/explain/tell.hpp"
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/scene_options.hpp"
 #include "plumb/session.hpp"
@@ -38,6 +39,21 @@ long steps_to_end(const StepControl& control, double dt) {
   return static_cast<long>(std::min(by_time, by_count));
 }
 
+Json json_of(const Statement& statement) {
+  return {{"topic", statement.topic}, {"text", statement.text}, {"theory", statement.theory}};
+}
+
+Json json_of(const Costs& costs) {
+  Json parts = Json::array();
+  for (const auto& cost : costs.parts)
+    parts.push_back({{"part", cost.part},
+                     {"built", cost.built},
+                     {"bytes_per_particle", cost.bytes_per_particle},
+                     {"step_time_ratio", cost.time_ratio},
+                     {"dt_ratio", cost.step_ratio ? Json(*cost.step_ratio) : Json()}});
+  return {{"particles", costs.particles}, {"parts", parts}};
+}
+
 template <int d>
 Json explanation(const Scene& scene, Simulation<d>& simulation) {
   const auto arrays = arrays_of(simulation);
@@ -46,7 +62,8 @@ Json explanation(const Scene& scene, Simulation<d>& simulation) {
   const double dt = time_step(simulation.solid, simulation.state, simulation.control);
   const long steps = steps_to_end(simulation.control, dt);
   const Parts parts = parts_of(scene, simulation);
-  Json sizes = Json::array();
+  Json solves = Json::array(), sizes = Json::array();
+  for (const auto& statement : account_of(scene, simulation)) solves.push_back(json_of(statement));
   for (const auto& array : arrays) sizes.push_back({{"name", array.name}, {"bytes", array.bytes}});
   Json json{{"scene", scene.name},
             {"dimension", d},
@@ -54,6 +71,7 @@ Json explanation(const Scene& scene, Simulation<d>& simulation) {
             {"neighbours",
              {{"mean", static_cast<double>(simulation.solid.bonds.pairs) / static_cast<double>(particles)},
               {"max", simulation.solid.bonds.most_neighbours}}},
+            {"solves", solves},
             {"built", parts.built},
             {"left_out", parts.left_out},
             {"arrays", sizes},
@@ -61,58 +79,24 @@ Json explanation(const Scene& scene, Simulation<d>& simulation) {
              {{"bytes", bytes},
               {"bytes_per_particle", static_cast<double>(bytes) / static_cast<double>(particles)}}},
             {"dt", dt},
+            {"dt_reason", json_of(step_reason(scene, simulation, dt))},
             {"steps", steps},
             {"evaluations_per_step", simulation.stepper.evaluations_per_step}};
   const auto seconds = seconds_per_step(simulation, dt, steps);
   json["estimated_wall_s"] = seconds ? Json(*seconds * static_cast<double>(steps)) : Json();
   json["memory"]["peak_rss"] = peak_resident_bytes();
   if (simulation.compatible) json["compatible"] = compatible_json(simulation.compatible.get());
+  json["costs"] = json_of(measure_costs(scene));
   json["warnings"] = simulation.warnings;
   return json;
-}
-
-/// "1.2 MB": bytes for people.
-std::string size_text(double bytes) {
-  const char* unit = "B";
-  for (const char* next : {"kB", "MB", "GB", "TB"}) {
-    if (bytes < 1000) break;
-    bytes /= 1000;
-    unit = next;
-  }
-  return fmt::format("{:.4g} {}", bytes, unit);
-}
-
-void tell(std::ostream& out, const Json& json, const Scene& scene) {
-  out << fmt::format("{}: {} particles in {}D, {:.1f} neighbours on average, at most {}\n", scene.name,
-                     json["particles"].get<long>(), scene.dimension, json["neighbours"]["mean"].get<double>(),
-                     json["neighbours"]["max"].get<long>());
-  for (const auto& [key, title] :
-       {std::pair("built", "built"), std::pair("left_out", "left out (no code, no array)")}) {
-    out << title << ":\n";
-    for (const auto& part : json[key]) out << "  " << part.get<std::string>() << '\n';
-  }
-  out << "arrays:\n";
-  for (const auto& array : json["arrays"])
-    out << fmt::format("  {:<34} {:>10}\n", array["name"].get<std::string>(),
-                       size_text(array["bytes"].get<double>()));
-  out << fmt::format("  {:<34} {:>10}, {:.4g} bytes a particle\n", "together",
-                     size_text(json["memory"]["bytes"].get<double>()),
-                     json["memory"]["bytes_per_particle"].get<double>());
-  out << fmt::format("time step {:.6g} s, {} steps with {} evaluation(s) each\n", json["dt"].get<double>(),
-                     json["steps"].get<long>(), json["evaluations_per_step"].get<int>());
-  out << (json["estimated_wall_s"].is_null()
-              ? std::string("the first steps fail: the run would end unstable at once\n")
-              : "estimated time " + duration_text(json["estimated_wall_s"].get<double>()) +
-                    ", from a few steps measured on this machine\n");
 }
 
 template <int d>
 int explain(const Session& session, const Scene& scene) {
   Simulation<d> simulation = make_simulation<d>(scene);
   const Json json = explanation(scene, simulation);
-  tell(session.text(), json, scene);
+  tell(session.text(), json);
   session.text() << compatible_text(simulation.compatible.get());
-  for (const auto& warning : simulation.warnings) session.warn(warning);
   session.write_json(json);
   return 0;
 }
@@ -127,7 +111,7 @@ void add_explain(CLI::App& program, Session& session) {
     return with_dimension(scene, [&]<int d>() { return explain<d>(session, scene); });
   };
   CLI::App& command = add_command(program, session,
-                                  {"explain", "what a scene builds, costs and leaves out, without running it",
+                                  {"explain", "what a scene solves, costs and leaves out, without running it",
                                    "plumb explain verification/scenes/bending-column.toml"},
                                   {}, action);
   add_scene_options(command, *options);

@@ -1,27 +1,95 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "plumb/commands.hpp"
+#include "plumb/data_folder.hpp"
+#include "plumb/parts.hpp"
 #include "plumb/session.hpp"
-#include "plumbline/gradient/catalogue.hpp"
-#include "plumbline/kernel/catalogue.hpp"
 
 namespace plumb {
+namespace {
 
-/// `plumb list`: the parts that scenes and options can name.
+using Json = nlohmann::ordered_json;
+
+/// What a scene says of itself behind "Shows:", to the end of the line.
+std::string what_it_shows(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  constexpr std::string_view mark = "# Shows: ";
+  for (std::string line; std::getline(in, line) && line.starts_with('#');)
+    if (line.starts_with(mark)) return line.substr(mark.size());
+  return "";
+}
+
+Json scenes_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::exists(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Json scenes = Json::array();
+  for (const auto& file : files)
+    scenes.push_back(
+        {{"name", file.stem().string()}, {"file", file.string()}, {"shows", what_it_shows(file)}});
+  return scenes;
+}
+
+/// Names by kind, "kernels": [..], and "parts" with what is known of each.
+Json listed() {
+  Json names = Json::object(), rows = Json::array();
+  for (const auto& [kind, plural] : {std::pair("kernel", "kernels"),
+                                     {"gradient", "gradients"},
+                                     {"momentum", "momenta"},
+                                     {"integrator", "integrators"},
+                                     {"material", "materials"}}) {
+    names[plural] = Json::array();
+    for (const Part& part : parts) {
+      if (part.kind != kind) continue;
+      names[plural].push_back(part.name);
+      rows.push_back(
+          {{"kind", kind}, {"name", part.name}, {"meaning", part.meaning}, {"theory", part.theory}});
+    }
+  }
+  const auto folder = data_folder() / "verification" / "scenes";
+  names["parts"] = rows;
+  names["scenes"] = scenes_in(folder);
+  return names;
+}
+
+void tell(std::ostream& out, const Json& json) {
+  std::string kind;
+  for (const auto& part : json["parts"]) {
+    if (part["kind"] != kind) out << (kind.empty() ? "" : "\n") << part["kind"].get<std::string>() << ":\n";
+    kind = part["kind"];
+    const std::string theory = part["theory"];
+    out << fmt::format("  {:<14} {}{}\n", part["name"].get<std::string>(), part["meaning"].get<std::string>(),
+                       theory.empty() ? "" : ". " + theory);
+  }
+  if (json["scenes"].empty()) return;
+  const std::filesystem::path first = json["scenes"][0]["file"].get<std::string>();
+  out << "\nscenes in " << first.parent_path().string() << ":\n";
+  for (const auto& scene : json["scenes"])
+    out << fmt::format("  {:<30} {}\n", scene["name"].get<std::string>(), scene["shows"].get<std::string>());
+}
+
+}  // namespace
+
+/// `plumb list`: the parts that scenes and options can name, and the scenes that are there.
 void add_list(CLI::App& program, Session& session) {
   const auto action = [&session] {
-    const nlohmann::ordered_json parts{{"kernels", names_of(KernelCatalogue{})},
-                                       {"gradients", names_of(EstimatorCatalogue{})}};
-    for (const auto& part : parts.items())
-      for (const auto& name : part.value())
-        session.text() << part.key() << ": " << name.get<std::string>() << '\n';
-    session.write_json(parts);
+    const Json json = listed();
+    tell(session.text(), json);
+    session.write_json(json);
     return 0;
   };
-  add_command(program, session,
-              {"list", "the kernels and gradients that can be named", "plumb list --json -"}, {}, action);
+  add_command(
+      program, session,
+      {"list", "kernels, gradients, materials .. that can be named, and the scenes at hand", "plumb list"},
+      {}, action);
 }
 
 }  // namespace plumb

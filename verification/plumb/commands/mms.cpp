@@ -9,6 +9,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/mms_cost.hpp"
 #include "plumb/mms_output.hpp"
+#include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
 
 namespace plumb {
@@ -24,6 +25,7 @@ struct MmsOptions {
   int repeats = 3;
   std::size_t points = 1000;
   std::uint64_t seed = 1;
+  SittingOptions sitting;
 };
 
 std::vector<std::string> solution_names() {
@@ -66,9 +68,19 @@ void draw(const Session& session, const reports::Picture& picture) {
                              dropped.why);
 }
 
+/// One sitting of what is asked for.
+template <class Work>
+auto in_one_sitting(const Session& session, const MmsOptions& options, const std::string& mode, Work&& work) {
+  std::vector<std::string> choices{mode};
+  choices.insert(choices.end(), options.overrides.begin(), options.overrides.end());
+  choices.insert(choices.end(), options.vary.begin(), options.vary.end());
+  return plumb::in_one_sitting(session, options.sitting, options.studies, choices, work);
+}
+
 int temporal(const Session& session, const MmsOptions& options) {
   const Study study = read_study(options.studies.front(), options.overrides, solution_names());
-  const mms::TemporalResult result = mms::run_temporal(study);
+  const auto result = in_one_sitting(session, options, "temporal",
+                                     [&](Sitting& sitting) { return mms::run_temporal(study, sitting); });
   const Json json = json_of(study, result);
   session.write_table(json["rows"]);
   for (const auto& order : result.orders)
@@ -83,7 +95,9 @@ int temporal(const Session& session, const MmsOptions& options) {
 
 int work_precision(const Session& session, const MmsOptions& options) {
   const auto variants = variants_of(options.studies, options.vary, options.overrides, solution_names());
-  const mms::WorkPrecision result = mms::work_precision(variants, options.repeats);
+  const auto result = in_one_sitting(session, options, "work-precision", [&](Sitting& sitting) {
+    return mms::work_precision(variants, options.repeats, {1e-2, 1e-3, 1e-4}, sitting);
+  });
   const Json json = json_of(result, options.repeats);
   session.write_table(json["points"]);
   for (const auto& c : result.cheapest)
@@ -100,8 +114,9 @@ int study(const Session& session, const MmsOptions& options) {
                      "Add --work-precision to compare them.");
   const Study study = read_study(options.studies.front(), options.overrides, solution_names());
   Progress progress(study.name, session.progress());
-  const mms::StudyResult result =
-      mms::run_study(study, [&](double done, const std::string& note) { progress.update(done, note); });
+  const auto tell = [&](double done, const std::string& note) { progress.update(done, note); };
+  const auto result = in_one_sitting(session, options, "study",
+                                     [&](Sitting& sitting) { return mms::run_study(study, tell, sitting); });
   progress.finish();
   const Json json = json_of(study, result);
   session.write_table(json["levels"]);
@@ -138,7 +153,7 @@ void add_mms(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MmsOptions>();
   CLI::App& command = add_command(program, session,
                                   {"mms", "convergence study with a manufactured solution",
-                                   "plumb mms verification/studies/swinging_plate.toml --json -"},
+                                   "plumb mms --check swinging-plate --points 100"},
                                   {.table = true, .plot = true},
                                   [&session, options] { return mms_action(session, *options); });
   command.add_option("study", options->studies, "study file (TOML); several with --work-precision");
@@ -158,6 +173,7 @@ void add_mms(CLI::App& program, Session& session) {
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
   command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+  add_sitting_options(command, options->sitting);
 }
 
 }  // namespace plumb

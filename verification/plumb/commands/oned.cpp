@@ -13,6 +13,7 @@
 #include "plumb/oned_account.hpp"
 #include "plumb/oned_options.hpp"
 #include "plumb/oned_pictures.hpp"
+#include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
 
 namespace plumb {
@@ -142,10 +143,13 @@ std::vector<std::string> study_warnings(const OnedOptions& options, const std::v
   return all;
 }
 
-int study(const Session& session, OnedOptions options) {
+int study(const Session& session, OnedOptions options, const SittingOptions& where) {
   if (options.n.empty()) options.n = {20, 40, 80, 160, 320};
   const auto fields = options.parsed_fields();
-  const auto result = oned::refine(options.discretisation(), options.n, fields, options.methods());
+  const auto result =
+      in_one_sitting(session, where, {}, {parameters_of(options).dump()}, [&](Sitting& sitting) {
+        return oned::refine(options.discretisation(), options.n, fields, options.methods(), sitting);
+      });
   warn(session, study_warnings(options, fields));
   Json rows = Json::array(), fits = Json::array();
   for (const auto& r : result.rows) rows.push_back(study_row(r));
@@ -208,14 +212,16 @@ void add_gradient(CLI::App& group, Session& session) {
 
 void add_study(CLI::App& group, Session& session) {
   const auto options = std::make_shared<OnedOptions>();
+  const auto where = std::make_shared<SittingOptions>();
   CLI::App& command = add_command(
       group, session,
       {"study", "error under refinement, with fitted orders",
        "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160 --estimator improved --pair W1 --json -"},
-      {.table = true, .plot = true}, [&session, options] { return study(session, *options); });
+      {.table = true, .plot = true}, [&session, options, where] { return study(session, *options, *where); });
   add_cloud_options(command, *options, true);
   add_field_option(command, *options);
   add_method_options(command, *options);
+  add_sitting_options(command, *where);
 }
 
 void add_response(CLI::App& group, Session& session) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -21,6 +22,9 @@ namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Nobody waits longer to be told: CPU time [s].
+constexpr double longest_s = 1;
 
 /// One mistake and what a user is told about it.
 struct BadInput {
@@ -92,8 +96,20 @@ std::string refusal_of_file(const BadInput& bad, const std::string& text) {
   return "";
 }
 
+/// What is said, and the CPU time until it is [s]: the clock's would count other programs.
+struct Refusal {
+  std::string said;
+  double cpu_s;
+};
+
+Refusal timed_refusal_of_file(const BadInput& bad, const std::string& text) {
+  const std::clock_t start = std::clock();
+  std::string said = refusal_of_file(bad, text);
+  return {std::move(said), static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
+}
+
 /// What the program says to a command line, with its exit code if that is not 2.
-std::string refusal_of_call(const BadInput& bad, const std::string& scene) {
+Refusal refusal_of_call(const BadInput& bad, const std::string& scene) {
   namespace fs = std::filesystem;
   std::string name = (fs::temp_directory_path() / "plumbline_XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) throw OutputError("cannot make " + name);
@@ -104,7 +120,7 @@ std::string refusal_of_call(const BadInput& bad, const std::string& scene) {
   std::string said = read_text((folder / "messages.txt").string());
   fs::remove_all(folder);
   while (!said.empty() && said.back() == '\n') said.pop_back();
-  return ended.exit_code == 2 ? said : fmt::format("exit code {}: {}", ended.exit_code, said);
+  return {ended.exit_code == 2 ? said : fmt::format("exit code {}: {}", ended.exit_code, said), ended.cpu_s};
 }
 
 int refusals(const Session& session, const std::string& table) {
@@ -114,21 +130,29 @@ int refusals(const Session& session, const std::string& table) {
                                                  {"study", root.text("study")}};
   Json rows = Json::array();
   int wrong = 0;
+  double slowest = 0;
   for (const auto& section : root.sections("bad")) {
     const BadInput bad = read_bad_input(section);
-    const std::string said = bad.arguments.empty() ? refusal_of_file(bad, with(bad, files))
-                                                   : refusal_of_call(bad, files.at("scene"));
-    const bool as_written = fits(said, bad.message);
-    wrong += as_written ? 0 : 1;
-    rows.push_back(
-        {{"what", bad.what}, {"message", said.empty() ? "accepted" : said}, {"as_written", as_written}});
+    const auto [said, cpu_s] = bad.arguments.empty() ? timed_refusal_of_file(bad, with(bad, files))
+                                                     : refusal_of_call(bad, files.at("scene"));
+    const bool as_written = fits(said, bad.message), at_once = cpu_s < longest_s;
+    wrong += as_written && at_once ? 0 : 1;
+    slowest = std::max(slowest, cpu_s);
+    rows.push_back({{"what", bad.what},
+                    {"message", said.empty() ? "accepted" : said},
+                    {"as_written", as_written},
+                    {"cpu_s", cpu_s}});
+    if (!at_once) session.text() << fmt::format("{}: {:.2f} s until it is refused\n", bad.what, cpu_s);
     if (!as_written)
       session.text() << fmt::format("{}\n  expected: {}\n  is said:  {}\n", bad.what, bad.message, said);
   }
   root.reject_unknown();
-  session.text() << fmt::format("{} bad inputs, {} with another message than written\n", rows.size(), wrong);
+  session.text() << fmt::format(
+      "{} bad inputs, {} with another message than written or after more than {} s; the "
+      "slowest took {:.2f} s\n",
+      rows.size(), wrong, longest_s, slowest);
   session.write_csv(rows);
-  session.write_json({{"count", rows.size()}, {"wrong", wrong}, {"rows", rows}});
+  session.write_json({{"count", rows.size()}, {"wrong", wrong}, {"slowest_s", slowest}, {"rows", rows}});
   return wrong == 0 ? 0 : 1;
 }
 

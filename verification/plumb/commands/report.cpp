@@ -8,10 +8,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "places.hpp"
 #include "plumb/code.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/data_folder.hpp"
 #include "plumb/provenance.hpp"
+#include "plumb/run/interrupt.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
 
@@ -20,21 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The folder with verification/scenes in it: the one given, the current one, or the one that this was built
-/// from. Without any, the current one: the studies that need no scene still run, the others say what is
-/// missing.
-std::filesystem::path root_folder(const std::filesystem::path& given) {
-  if (!given.empty() && !std::filesystem::is_directory(given / "verification"))
-    throw InputError(fmt::format("--root: no folder \"{}\"", (given / "verification").string()), "",
-                     "Name the folder that holds verification/scenes.");
-  for (const auto& folder : {given, std::filesystem::path("."), std::filesystem::path(PLUMBLINE_SOURCE_DIR)})
-    if (!folder.empty() && std::filesystem::exists(folder / "verification" / "scenes"))
-      return std::filesystem::canonical(folder);
-  return std::filesystem::current_path();
-}
-
 int report(const Session& session, reports::ReportOptions options) {
-  options.root = root_folder(options.root);
+  options.root = data_folder(options.root);
   options.program = std::filesystem::canonical("/proc/self/exe");
   options.code = PLUMB_CODE;
   options.threads = session.threads;
@@ -47,6 +35,8 @@ int report(const Session& session, reports::ReportOptions options) {
                    {"made", entry("date").get<std::string>()}};
   Progress progress("report", session.progress());
   options.progress = [&progress](double fraction, const std::string& job) { progress.update(fraction, job); };
+  const InterruptGuard guard;
+  options.go_on = [] { return !interrupted(); };
   const auto summary = reports::make_report(options);
   progress.finish();
   Json verdicts = Json::object();
@@ -78,7 +68,7 @@ void add_report(CLI::App& program, Session& session) {
   CLI::App& command =
       add_command(program, session,
                   {"report", "the verification report: one HTML page, with the data behind it",
-                   "plumb report --out reports/out"},
+                   "plumb report --only kernels,gradients --out out/report"},
                   {}, [&session, options] { return report(session, *options); });
   command.add_option("--out", options->out, "folder of the report")->type_name("DIR")->capture_default_str();
   command.add_flag("--long", options->long_run, "the studies in the size of the papers too (hours)");

@@ -17,6 +17,7 @@
 #include "plumb/run/scene_options.hpp"
 #include "plumb/run/summary.hpp"
 #include "plumb/session.hpp"
+#include "plumb/usage.hpp"
 #include "plumbline/output/file.hpp"
 
 namespace plumb {
@@ -76,6 +77,8 @@ RunResult advance(const Session& session, const Scene& scene, Simulation<d>& sim
   const InterruptGuard guard;
   Progress progress(scene.name, session.progress());
   const Stopwatch watch(book.timing);
+  const double start = wall_time();
+  const long first = simulation.state.step;
   const auto keep = [&] {
     watch.read();
     checkpoints->write(simulation, book, recorder.mark());
@@ -85,7 +88,8 @@ RunResult advance(const Session& session, const Scene& scene, Simulation<d>& sim
     if (budget) budget->observe(solid, state);
     if (checkpoints && checkpoints->due(state.time)) keep();
     progress.update(fraction_done(simulation.control, state),
-                    fmt::format("t = {:.4g} s, step {}", state.time, state.step));
+                    fmt::format("t = {:.4g} s, step {}, {:.3g} steps/s", state.time, state.step,
+                                static_cast<double>(state.step - first) / (wall_time() - start)));
     return !interrupted();
   };
   const RunResult result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
@@ -104,6 +108,18 @@ std::optional<Checkpoint> starting_point(const RunOptions& options, const std::f
   Checkpoint checkpoint = read_checkpoint(file);
   require_same_origin(checkpoint, version_text(), settings, file.string());
   return checkpoint;
+}
+
+/// What to type to continue a run that was stopped.
+std::string line_to_resume(const RunOptions& options, const std::filesystem::path& folder) {
+  std::vector<std::string> words{"run", options.scene.file};
+  for (const auto& change : options.scene.overrides) {
+    words.push_back("--set");
+    words.push_back(change);
+  }
+  for (const auto& word : {std::string("--out"), folder.string(), std::string("--resume")})
+    words.push_back(word);
+  return shell_line(words);
 }
 
 template <int d>
@@ -140,6 +156,10 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
   if (keeps_files) {
     session.write_json_file(json, folder / "summary.json");
     session.text() << "  files in " << folder.string() << '\n';
+    if (!result.completed())
+      session.text() << fmt::format("  kept: all rows up to t = {:.6g} s, and the state there in {}\n",
+                                    simulation.state.time, file.string());
+    if (result.stopped) session.text() << "  to go on: " << line_to_resume(options, folder) << '\n';
   }
   session.write_json(json);
   if (!session.csv.empty())

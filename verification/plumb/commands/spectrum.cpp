@@ -9,8 +9,10 @@
 
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"
+#include "plumb/spectrum_output.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
+#include "reports/modes.hpp"
 
 namespace plumb {
 namespace {
@@ -22,6 +24,7 @@ struct SpectrumCommand {
   std::vector<std::string> overrides;
   std::vector<std::string> over;  ///< key=v1,v2,..
   SpectrumOptions options;
+  int symbol = 0;  ///< points of the lattice symbol; 0: the body's own spectrum
 };
 
 /// Every combination of the values of --over, as lists of overrides.
@@ -83,8 +86,10 @@ template <int d>
 Json analyse(const Scene& scene, const SpectrumOptions& options) {
   const Simulation<d> simulation = make_simulation<d>(scene);
   LinearOperator<d> op(simulation.solid, simulation.supports);
-  return result_of(spectrum_of(op, options), scene, op.time_unit(),
-                   static_cast<std::size_t>(options.low_modes));
+  const Spectrum spectrum = spectrum_of(op, options);
+  Json result = result_of(spectrum, scene, op.time_unit(), static_cast<std::size_t>(options.low_modes));
+  result["worst"] = worst_mode(spectrum, op);
+  return result;
 }
 
 std::string text_of(const Json& r) {
@@ -113,18 +118,44 @@ Json row_of(const std::vector<std::string>& set, const Json& result) {
   Json row;
   for (const auto& entry : set) row[entry.substr(0, entry.find('='))] = entry.substr(entry.find('=') + 1);
   for (const auto& [key, value] : result.items())
-    if (key != "scene" && key != "modes") row[key] = value;
+    if (key != "scene" && key != "modes" && key != "worst") row[key] = value;
   return row;
+}
+
+/// The lattice symbol of every scene, one row per set, direction and wave number.
+int run_symbol(const Session& session, const std::vector<std::vector<std::string>>& sets,
+               const std::vector<Scene>& scenes, int points) {
+  Json rows = Json::array();
+  for (std::size_t n = 0; n < scenes.size(); ++n)
+    for (const auto& one : symbol_rows(scenes[n], points)) rows.push_back(row_of(sets[n], one));
+  session.write_table(rows);
+  session.write_json({{"scene", scenes.front().name}, {"rows", rows}});
+  return 0;
+}
+
+void draw_worst(const Session& session, const Json& result) {
+  if (session.plot.empty() || result["worst"].is_null()) return;
+  reports::save(
+      reports::mode_picture(result["worst"], fmt::format("{}: (omega d/c_p)^2 = {:.4g}, {:.0f} % unexplained",
+                                                         result["scene"].get<std::string>(),
+                                                         result["worst"]["value"].get<double>(),
+                                                         100 * result["worst"]["unexplained"].get<double>())),
+      session.plot);
 }
 
 int run_spectrum(const Session& session, const SpectrumCommand& command) {
   const auto sets = combinations(command.over);
+  if (!session.plot.empty() && (!command.over.empty() || command.symbol > 0))
+    throw InputError("--plot draws the worst mode of one body",
+                     "with --over and --symbol there are several or none",
+                     "leave them out, or leave out --plot");
   std::vector<Scene> scenes;
   for (const auto& set : sets) {
     auto overrides = command.overrides;
     overrides.insert(overrides.end(), set.begin(), set.end());
     scenes.push_back(read_scene(command.file, overrides));
   }
+  if (command.symbol > 0) return run_symbol(session, sets, scenes, command.symbol);
   Json rows = Json::array(), single;
   Progress progress("spectrum", session.progress());
   for (std::size_t n = 0; n < scenes.size(); ++n) {
@@ -137,6 +168,7 @@ int run_spectrum(const Session& session, const SpectrumCommand& command) {
   progress.finish();
   if (command.over.empty()) {
     session.text() << text_of(single) << std::flush;
+    draw_worst(session, single);
     session.write_csv(single["modes"]);
     session.write_json(single);
   } else {
@@ -155,7 +187,7 @@ void add_spectrum(CLI::App& program, Session& session) {
       program, session,
       {"spectrum", "eigenvalues of the equations of motion, linearised about the reference state",
        "plumb spectrum verification/scenes/free_cube.toml --over method.momentum=symmetrised,adjoint"},
-      {.table = true}, [&session, options] { return run_spectrum(session, *options); });
+      {.table = true, .plot = true}, [&session, options] { return run_spectrum(session, *options); });
   command.add_option("scene", options->file, "the scene file")->required()->type_name("SCENE.toml");
   command.add_option("--set", options->overrides, "override a value: section.key=value")
       ->type_name("KEY=VALUE");
@@ -164,6 +196,11 @@ void add_spectrum(CLI::App& program, Session& session) {
   command.add_option("--modes", options->options.low_modes, "number of low modes to list")
       ->check(CLI::Range(1, 500))
       ->capture_default_str();
+  command
+      .add_option("--symbol", options->symbol,
+                  "the scheme on the infinite lattice instead, at so many wave numbers in each direction")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("POINTS");
   command
       .add_option("--dense", options->options.dense_limit,
                   "unknowns up to which all eigenvalues are computed")

@@ -41,7 +41,7 @@ struct Cell {
 
 /// Everything that decides how a run ends.
 std::string content_of(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
-  std::string content = version_text() + "\n";
+  std::string content = build_identity() + "\n";
   for (const auto& [key, text] :
        settings_of(parse_document(study.scene, study.file, overrides, scene_alternatives())))
     content += key + " = " + text + "\n";

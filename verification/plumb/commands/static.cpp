@@ -8,6 +8,7 @@
 #include "mms/static_study.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/mms_output.hpp"
+#include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
 
 namespace plumb {
@@ -18,15 +19,18 @@ using Json = nlohmann::ordered_json;
 struct StaticOptions {
   std::string study;
   std::vector<std::string> overrides;
+  SittingOptions sitting;
 };
 
 Json level_json(const mms::StaticLevel& level) {
-  Json row{{"n", level.n}, {"d", level.d}, {"l2", level.l2}, {"h1", level.h1}};
+  Json row{
+      {"n", level.n}, {"d", level.d}, {"l2", level.l2}, {"h1", level.h1}, {"stress_l2", level.stress_l2}};
   if (level.frequency_error) row["frequency_error"] = *level.frequency_error;
   if (level.compatible) {
     row["divergence_defect"] = level.compatible->divergence_defect;
     row["residual"] = level.compatible->residual;
   }
+  if (level.failure) row["status"] = *level.failure;
   row["setup_s"] = level.setup_s;
   row["solve_s"] = level.solve_s;
   return row;
@@ -37,8 +41,12 @@ int static_action(const Session& session, const StaticOptions& options) {
   for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
   const Study study = read_study(options.study, options.overrides, names);
   Progress progress(study.name, session.progress());
-  const mms::StaticResult result = mms::run_static_study(
-      study, [&](double done, const std::string& note) { progress.update(done, note); });
+  const auto tell = [&](double done, const std::string& note) { progress.update(done, note); };
+  std::vector<std::string> choices{"static"};
+  choices.insert(choices.end(), options.overrides.begin(), options.overrides.end());
+  const auto result =
+      in_one_sitting(session, options.sitting, {options.study}, choices,
+                     [&](Sitting& sitting) { return mms::run_static_study(study, tell, sitting); });
   progress.finish();
   Json levels = Json::array(), fits = Json::array();
   for (const auto& level : result.levels) levels.push_back(level_json(level));
@@ -71,6 +79,7 @@ void add_static(CLI::App& program, Session& session) {
                   {.table = true}, [&session, options] { return static_action(session, *options); });
   command.add_option("study", options->study, "study file (TOML)")->required();
   command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+  add_sitting_options(command, options->sitting);
 }
 
 }  // namespace plumb

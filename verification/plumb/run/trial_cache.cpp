@@ -1,12 +1,11 @@
 #include "plumb/run/trial_cache.hpp"
 
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "plumbline/output/file.hpp"
 #include "plumbline/output/json.hpp"
+#include "plumbline/output/sitting.hpp"
 
 namespace plumb {
 namespace {
@@ -21,7 +20,7 @@ std::optional<Cause> cause_named(const std::string& name) {
 }  // namespace
 
 std::filesystem::path TrialCache::file_of(const std::string& content) const {
-  return folder_ / (to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(content)) + ".json");
+  return folder_ / (name_of_content(content) + ".json");
 }
 
 std::optional<Trial> TrialCache::find(const std::string& content) const {

@@ -1,0 +1,41 @@
+# Debian packages: `plumbline` (program, scenes, manual, completion) and `libplumbline-dev` (libraries, headers, CMake package).
+#   cmake --workflow --preset package
+# They are built for any x86-64 machine since about 2010 (-march=x86-64-v2): a package does not know where it will run, and a
+# program for one machine's instructions dies on another. The price is the speed of wide vectors (README.md, Limits).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME plumbline)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "total Lagrangian SPH for solids, checked against mathematics")
+set(CPACK_PACKAGE_CONTACT "the Plumbline authors <plumbline@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME plumbline)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)  # what the program links is found by dpkg-shlibdeps
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, python3-vtk9")  # pictures: plumb report, --plot
+
+# The libraries are static: who links them needs what they were built with, the sections "numbers" and "reading and writing" of
+# the one list of packages.
+file(STRINGS ${PROJECT_SOURCE_DIR}/.ci/packages.txt lines)
+set(wanted FALSE)
+set(libraries "")
+foreach(line IN LISTS lines)
+  if(line MATCHES "^# (numbers|reading and writing)")
+    set(wanted TRUE)
+  elseif(line MATCHES "^#")
+    set(wanted FALSE)
+  elseif(wanted)
+    list(APPEND libraries ${line})
+  endif()
+endforeach()
+list(JOIN libraries ", " libraries)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libplumbline-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${libraries}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "g++, cmake")
+include(CPack)

@@ -1,0 +1,61 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace plumb {
+
+/// Thrown out of a study that was asked to end before it was whole.
+class SittingEnded : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One sitting of a study that may take several. The parts that it finishes are kept by name; when it is
+/// ended before the study is whole, or killed, the next one with the same content finds them and makes only
+/// what is missing. A study that becomes whole leaves nothing behind. Safe to use from several threads.
+class Sitting {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// Keeps nothing and is never ended.
+  Sitting() = default;
+  /// Keeps parts in one file of `folder`, which is made when there is something to keep. `content` holds all
+  /// that decides the results: parts of other content are not taken. `go_on` is asked before every part.
+  Sitting(std::filesystem::path folder, std::string content, std::function<bool()> go_on);
+
+  /// The part of that name: of an earlier sitting, or made now. Throws SittingEnded if it would have to be
+  /// made and the sitting is to end; its text says what was kept and where, or why it could not be.
+  Json part(const std::string& name, const std::function<Json()>& make);
+  /// For the loops inside a part: throws SittingEnded if the sitting is to end.
+  void check();
+  /// Parts taken from earlier sittings so far.
+  int recalled() const { return recalled_; }
+  /// The study is whole: what was kept is removed.
+  void close();
+
+ private:
+  void try_to_save();
+
+  std::filesystem::path file_;
+  std::string content_;
+  std::function<bool()> go_on_;
+  std::map<std::string, std::string> parts_;  ///< as JSON text
+  std::string problem_;                       ///< of the last attempt to save
+  std::mutex mutex_;
+  int recalled_ = 0;
+  std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+};
+
+/// The number of a kept part; null, which JSON has for what is not finite, is NaN.
+double number_or_nan(const Sitting::Json& value);
+
+/// A name of 122 bits for a text: the same text has the same one, another text has another.
+std::string name_of_content(const std::string& text);
+
+}  // namespace plumb

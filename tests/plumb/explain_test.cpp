@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "places.hpp"
+#include "tests/support/program.hpp"
+
+namespace plumb {
+namespace {
+
+using nlohmann::json;
+using test::run_plumb;
+
+json explained(const std::string& scene, const std::string& changes = "") {
+  const auto outcome = run_plumb("explain " PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene + ".toml" +
+                                 " --json - --threads 1 " + changes);
+  EXPECT_EQ(outcome.code, 0) << outcome.error;
+  return json::parse(outcome.out);
+}
+
+json about(const json& explanation, const std::string& topic) {
+  for (const auto& statement : explanation["solves"])
+    if (statement["topic"] == topic) return statement;
+  ADD_FAILURE() << topic << " is not explained";
+  return {{"text", ""}, {"theory", ""}};
+}
+
+json cost_of(const json& explanation, const std::string& part) {
+  for (const auto& cost : explanation["costs"]["parts"])
+    if (cost["part"] == part) return cost;
+  ADD_FAILURE() << part << " has no cost";
+  return {};
+}
+
+TEST(Explain, NamesThePartsWithTheirEquations) {
+  const json paper = explained("bending-column");
+  for (const auto& [topic, theory] : {std::pair("kernel", "THEORY (1.2)"),
+                                      {"correction", "THEORY (2.2), (2.7)"},
+                                      {"gradient", "THEORY (3.1), (3.5)"},
+                                      {"material", "THEORY (4.1), (4.2), (4.3)"},
+                                      {"momentum", "THEORY (5.1), (5.2)"},
+                                      {"dissipation", "THEORY (6.1), (6.4)"},
+                                      {"integrator", "THEORY (7.1)"}})
+    EXPECT_EQ(about(paper, topic)["theory"], theory) << topic;
+  const json other = explained("twisting-column-105-compatible", "--set 'body.particles=[3, 3, 13]'");
+  EXPECT_EQ(about(other, "gradient")["theory"], "THEORY (11.1), (11.4)");
+  EXPECT_EQ(about(other, "hourglass")["theory"], "THEORY (12.1), (12.2)");
+}
+
+/// All equations that any scene's explanation cites stand in THEORY.
+TEST(Explain, CitesEquationsThatExist) {
+  const auto theory = test::content_of(PLUMBLINE_SOURCE_DIR "/lib/THEORY.md");
+  const std::regex number("\\([0-9]+\\.[0-9]+\\)");
+  std::size_t cited = 0;
+  for (const char* scene : {"bending-column", "swinging-plate", "free_plate"}) {
+    const json explanation = explained(scene);
+    for (const auto& statement : explanation["solves"]) {
+      const auto text = statement["theory"].get<std::string>();
+      for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match, ++cited)
+        EXPECT_NE(theory.find("\n    " + match->str()), std::string::npos)
+            << match->str() << " of " << statement;
+    }
+  }
+  EXPECT_GE(cited, 20u);
+}
+
+TEST(Explain, SaysWhatWasLeftOutAndWhatThatSaves) {
+  const json without = explained("free_plate", "--set method.momentum=adjoint");
+  const json jst = cost_of(without, "dissipation (jst)");
+  EXPECT_EQ(jst["built"], false);
+  // JST keeps a field of two components; its constants are one number a bond, shared or not
+  EXPECT_GE(jst["bytes_per_particle"].get<double>(), 16);
+  EXPECT_GT(jst["step_time_ratio"].get<double>(), 1.0);  // two more sums over all bonds cannot be free
+  const json with = explained("free_plate", "--set method.momentum=adjoint --set jst.eta4=0.015625");
+  EXPECT_EQ(cost_of(with, "dissipation (jst)")["built"], true);
+  EXPECT_EQ(cost_of(with, "dissipation (jst)")["bytes_per_particle"], jst["bytes_per_particle"]);
+}
+
+TEST(Explain, SaysWhyTheStepIsWhatItIs) {
+  const auto reason = [](const std::string& changes) {
+    return explained("free_plate", changes)["dt_reason"]["text"].get<std::string>();
+  };
+  EXPECT_NE(reason("").find("cfl = "), std::string::npos);
+  EXPECT_NE(reason("--set method.time_step=1e-5").find("fixed by the scene"), std::string::npos);
+  EXPECT_NE(reason("--set method.integrator=rk3 --set jst.eta4=0.5").find("dissipation bears"),
+            std::string::npos);
+}
+
+/// The same warnings go to standard error of a run.
+TEST(Explain, ShowsTheWarningsOfTheScene) {
+  const std::string scene = PLUMBLINE_SOURCE_DIR "/verification/scenes/free_plate.toml";
+  const auto text = run_plumb("explain " + scene + " --set method.integrator=rk3 --set jst.eta4=0.5");
+  EXPECT_NE(text.out.find("\nMind: JST limits the time step"), std::string::npos) << text.out;
+  const test::TemporaryFolder folder;
+  const auto run =
+      run_plumb("run " + scene + " --set method.integrator=rk3 --set jst.eta4=0.5 --set scene.max_steps=1" +
+                " --out " + (folder / "out").string());
+  EXPECT_NE(run.error.find("warning: JST limits the time step"), std::string::npos) << run.error;
+}
+
+}  // namespace
+}  // namespace plumb

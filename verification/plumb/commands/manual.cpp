@@ -1,0 +1,26 @@
+#include "plumb/shell/manual.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "plumb/commands.hpp"
+#include "plumb/provenance.hpp"
+#include "plumb/session.hpp"
+
+namespace plumb {
+
+/// `plumb manual`: the manual page, from the same texts as the help.
+void add_manual(CLI::App& program, Session& session) {
+  add_command(
+      program, session,
+      {"manual", "the manual page of all commands: plumb manual | man -l -", "plumb manual > plumb.1"}, {},
+      [&session, &program] {
+        const std::string page = manual(program, version(), commit_date());
+        session.text() << page << std::flush;
+        session.write_json({{"text", page}});
+        return 0;
+      });
+}
+
+}  // namespace plumb

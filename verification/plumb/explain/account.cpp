@@ -1,0 +1,176 @@
+#include "plumb/explain/account.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plumb/parts.hpp"
+#include "plumbline/kernel/kernel.hpp"
+
+namespace plumb {
+namespace {
+
+/// The statement about a part of a catalogue; `more` equations go in front of its own.
+Statement about(std::string_view kind, const std::string& name, const std::string& detail = "",
+                const std::string& more = "") {
+  Statement statement{std::string(kind), name, more.empty() ? "" : "THEORY " + more};
+  for (const Part& part : parts) {
+    if (part.kind != kind || part.name != name) continue;
+    if (!part.meaning.empty()) statement.text += ": " + std::string(part.meaning);
+    if (part.theory.empty()) continue;
+    if (more.empty())
+      statement.theory = part.theory;
+    else
+      statement.theory += ", " + std::string(part.theory.substr(part.theory.find('(')));
+  }
+  if (!detail.empty()) statement.text += "; " + detail;
+  return statement;
+}
+
+std::string list(const auto& numbers, std::string_view between) {
+  std::string text;
+  for (const auto& number : numbers)
+    text += fmt::format("{}{:g}", text.empty() ? "" : between, double(number));
+  return text;
+}
+
+std::string list(const std::vector<Expression>& formulas) {
+  std::string text;
+  for (const auto& formula : formulas) text += (text.empty() ? "" : ", ") + formula.text();
+  return "(" + text + ") m/s";
+}
+
+std::string_view name_of(Layout layout) {
+  return layout == Layout::node ? "node" : layout == Layout::cell ? "cell" : "mirror";
+}
+
+template <int d>
+Statement body_of(const Scene& scene, const Simulation<d>& simulation) {
+  const auto& solid = simulation.solid;
+  const auto particles = static_cast<double>(solid.cloud.size());
+  std::string text = fmt::format(
+      "{} of {} m{}, {} particles {:.4g} m apart ({} layout{}), {:.1f} neighbours each, at most {}",
+      scene.body.shape, list(scene.body.size, " x "), d == 2 ? " in plane strain" : "", solid.cloud.size(),
+      solid.cloud.spacing, name_of(scene.body.layout),
+      scene.body.jitter > 0 ? fmt::format(", moved at random by up to {:g} of that", scene.body.jitter) : "",
+      static_cast<double>(solid.bonds.pairs) / particles, solid.bonds.most_neighbours);
+  return {"body", text, ""};
+}
+
+Statement correction_of(const Scene& scene) {
+  if (scene.method.pair == "W1")
+    return {"correction", "W1: sums of constant and of linear fields are exact, at boundaries too",
+            "THEORY (2.2), (2.7)"};
+  return {"correction",
+          scene.method.pair +
+              ": Shepard kernel, sums of constant fields are exact; its gradient is "
+              "corrected to be exact for linear ones",
+          "THEORY (2.4), (2.6)"};
+}
+
+Statement gradient_of(const Scene& scene) {
+  if (scene.method.gradient != "compatible") return about("gradient", scene.method.gradient, "", "(3.1)");
+  return {
+      "gradient",
+      fmt::format("compatible: area vectors nearest to the {} table that are closed and exact, volumes {}",
+                  scene.method.compatible.start, scene.method.compatible.volumes),
+      "THEORY (11.1), (11.4)"};
+}
+
+template <int d>
+Statement held(const Scene& scene, const Simulation<d>& simulation) {
+  std::string text;
+  for (const auto& boundary : scene.boundaries) {
+    text += text.empty() ? "" : ", ";
+    text += boundary.face
+                ? fmt::format("face {}{}", "xyz"[boundary.face->axis], boundary.face->side < 0 ? '-' : '+')
+                : "where " + boundary.where->text();
+    text += boundary.kind == BoundaryKind::clamped  ? " clamped"
+            : boundary.kind == BoundaryKind::roller ? " on rollers"
+                                                    : " moved with " + list(boundary.velocity);
+  }
+  return {"supports", fmt::format("{} ({} components of particles held)", text, simulation.supports.size()),
+          ""};
+}
+
+Statement start_of(const Scene& scene) {
+  if (!scene.initial) return {"start", "at rest", ""};
+  if (scene.initial->spin)
+    return {"start",
+            fmt::format("turning with ({}) rad/s about the centre", list(*scene.initial->spin, ", ")), ""};
+  return {"start", "with velocity " + list(scene.initial->velocity), ""};
+}
+
+}  // namespace
+
+template <int d>
+std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simulation) {
+  const Elastic& elastic = simulation.solid.elastic;
+  const double support = kernel_named<d>(scene.method.kernel).support;
+  std::vector<Statement> all{body_of(scene, simulation)};
+  all.push_back(
+      about("material", scene.material.model,
+            fmt::format("mu = {:.4g} Pa, kappa = {:.4g} Pa, waves of {:.4g} m/s (pressure) and {:.4g} m/s "
+                        "(shear)",
+                        elastic.shear_modulus(), elastic.bulk_modulus(), elastic.wave_speed(),
+                        elastic.shear_wave_speed()),
+            "(4.1)"));
+  all.push_back(
+      about("kernel", scene.method.kernel,
+            fmt::format("h = {:.4g} m, beta = {:g}, so it reaches {:.3g} spacings",
+                        simulation.solid.smoothing_length, scene.method.beta, support * scene.method.beta)));
+  all.push_back(correction_of(scene));
+  all.push_back(gradient_of(scene));
+  all.push_back(about("momentum", scene.method.momentum, "", "(5.1)"));
+  if (scene.jst)
+    all.push_back({"dissipation",
+                   fmt::format("JST with eta2 = {:g}, eta4 = {:g}, outer level {}", scene.jst->eta2,
+                               scene.jst->eta4, scene.jst->outer),
+                   "THEORY (6.1), (6.4)"});
+  if (scene.hourglass && scene.hourglass->alpha > 0)
+    all.push_back({"hourglass",
+                   fmt::format("energy of alternating motion, alpha = {:g}", scene.hourglass->alpha),
+                   "THEORY (12.1), (12.2)"});
+  if (scene.projection)
+    all.push_back({"projection", "the force loses its torque by the least change", "THEORY (5.4)-(5.6)"});
+  all.push_back(about("integrator", std::string(simulation.stepper.name),
+                      fmt::format("{} evaluation{} a step", simulation.stepper.evaluations_per_step,
+                                  simulation.stepper.evaluations_per_step > 1 ? "s" : "")));
+  all.push_back({"loops",
+                 simulation.solid.cloud.line > 0
+                     ? "those of lattices: equal neighbourhoods share their constants"
+                     : "those of irregular particles: every bond has its own constants",
+                 simulation.solid.cloud.line > 0 ? "THEORY (10.1), (10.4)" : "THEORY (10.1)"});
+  if (!scene.boundaries.empty()) all.push_back(held(scene, simulation));
+  all.push_back(start_of(scene));
+  return all;
+}
+
+template <int d>
+Statement step_reason(const Scene& scene, const Simulation<d>& simulation, double dt) {
+  const StepControl& control = simulation.control;
+  const double crossing = crossing_time(simulation.solid, simulation.state, control.wave_speed);
+  if (control.fixed_step)
+    return {"time step",
+            fmt::format("fixed by the scene; {:.3g} of the time that a pressure wave needs between the "
+                        "closest neighbours",
+                        dt / crossing),
+            "THEORY (7.3)"};
+  if (dt > simulation.solid.step_limit * (1 - 1e-9))
+    return {"time step", "the most that the dissipation bears; cfl would allow more", "THEORY (6.5)"};
+  return {
+      "time step",
+      fmt::format("cfl = {:g} times {:.4g} s, which a wave of speed {} needs between the closest neighbours",
+                  control.cfl, crossing,
+                  scene.method.wave_speed == "linear"
+                      ? fmt::format("{:.4g} m/s", simulation.solid.elastic.wave_speed())
+                      : scene.method.wave_speed),
+      "THEORY (7.3)"};
+}
+
+template std::vector<Statement> account_of<2>(const Scene&, const Simulation<2>&);
+template std::vector<Statement> account_of<3>(const Scene&, const Simulation<3>&);
+template Statement step_reason<2>(const Scene&, const Simulation<2>&, double);
+template Statement step_reason<3>(const Scene&, const Simulation<3>&, double);
+
+}  // namespace plumb

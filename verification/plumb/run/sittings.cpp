@@ -1,0 +1,35 @@
+#include "plumb/run/sittings.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+#include "plumb/provenance.hpp"
+#include "plumb/session.hpp"
+#include "plumbline/scene/section.hpp"
+
+namespace plumb {
+
+void add_sitting_options(CLI::App& command, SittingOptions& options) {
+  command
+      .add_option("--unfinished", options.folder,
+                  "folder where finished parts wait if this is interrupted; empty: they are not kept")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
+std::string content_of_study(const std::vector<std::string>& files, const std::vector<std::string>& choices) {
+  std::string content = build_identity() + "\n";
+  for (const auto& file : files) content += read_text(file) + "\n";
+  for (const auto& choice : choices) content += choice + "\n";
+  return content;
+}
+
+void tell_recalled(const Session& session, const Sitting& sitting) {
+  if (sitting.recalled() > 0)
+    session.text() << fmt::format("{} parts are of an earlier call that was interrupted\n",
+                                  sitting.recalled());
+}
+
+}  // namespace plumb
