@@ -8,7 +8,7 @@ namespace {
 /// Enough for twice the reduction asked for, at the rate that is measured.
 constexpr int most_iterations = 200;
 /// A residual this many times above its least has lost touch with the true one.
-constexpr double diverged = 100;
+constexpr double diverged = 10;
 
 /// In blocks that do not depend on the number of threads.
 template <int d>

@@ -21,7 +21,7 @@ constexpr double least_shift = 1e-14, most_shift = 1e-10;
 constexpr double round_off = 1e-14;
 /// What iterations aim at: a fifth of what is promised. Each solution of theirs takes off six digits, beyond
 /// which the residual that they carry along is no longer the true one (1e-16 of multipliers up to 1e6).
-constexpr double iterated_goal = 2e-13, digits = 1e-6;
+constexpr double iterated_goal = 2e-13, digits = 1e-4;
 constexpr int most_refinements = 60;
 /// Particles from which on iterations take less time; measured, see THEORY chapter 11.
 template <int d>
