@@ -14,9 +14,9 @@ template <int d>
 struct CompatibleOptions {
   /// How readily volumes change, relative to area vectors; 0: they are fixed but for the smallest linear
   /// change that gives the body its volume and its centroid. The smaller, the nearer they stay to Voronoi's
-  /// and the safer from turning negative on irregular clouds (measured from 1e-1 to 1e-6), and the fewer
+  /// and the safer from turning negative on irregular clouds (measured from 1e-1 to 1e-7), and the fewer
   /// iterations large clouds take.
-  double volume_weight = 1e-5;
+  double volume_weight = 1e-7;
   /// The body's surface; box_surface unless another shape is given.
   std::function<Surface<d>(const Cloud<d>&)> surface = box_surface<d>;
   ProjectionSolver solver = ProjectionSolver::automatic;  ///< by the number of particles

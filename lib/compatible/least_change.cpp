@@ -1,7 +1,7 @@
 #include "plumbline/compatible/least_change.hpp"
 
 #include <Eigen/CholmodSupport>
-#include <optional>
+#include <algorithm>
 
 #include "plumbline/compatible/conjugate_gradients.hpp"
 #include "plumbline/compatible/quadratic_fields.hpp"
@@ -23,9 +23,30 @@ constexpr double round_off = 1e-14;
 /// which the residual that they carry along is no longer the true one (1e-16 of multipliers up to 1e6).
 constexpr double iterated_goal = 2e-13, digits = 1e-4;
 constexpr int most_refinements = 60;
-/// Particles from which on iterations take less time; measured, see THEORY chapter 11.
+/// Particles from which on iterations take less time in 3D; in 2D factors are cheap. Measured, THEORY
+/// chapter 11.
+constexpr Index iterative_from_fixed = 8000, iterative_from_unknown = 1500;
+
+/// Particles on all crossings of planes, and no bond that passes over a plane: then fields of one coordinate
+/// are in the null space, which iterations do not bear (THEORY chapter 11).
 template <int d>
-constexpr Index iterative_from = d == 2 ? 3000 : 500;
+bool is_thin_lattice(const BondOperator<d>& N) {
+  Index crossings = 1;
+  for (int k = 0; k < d; ++k) {
+    std::vector<double> planes;
+    for (const auto& X : N.X) planes.push_back(X[k]);
+    std::sort(planes.begin(), planes.end());
+    // 1e-6 spacings: the same plane, but for the rounding of coordinates
+    const auto end =
+        std::unique(planes.begin(), planes.end(), [](double a, double b) { return b - a < 1e-6; });
+    crossings *= end - planes.begin();
+    if (crossings > N.particles()) return false;
+  }
+  for (Index i = 0; i < N.particles(); ++i)
+    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b)
+      if (2 * N.half(i, b).cwiseAbs().maxCoeff() > 1.5) return false;
+  return true;
+}
 
 /// Factorises the matrix with the least shift that works.
 void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
@@ -123,8 +144,9 @@ LeastChange least_change(AreaTable<d>& table, const std::vector<Vec<d>>& X, doub
                          ProjectionSolver solver) {
   const BondOperator<d> N = bond_operator(table, X, volume_weight);
   Refinement<d> refinement(table, N);
-  const bool large = d > 1 && table.particles() >= iterative_from<d>;
-  if (solver == ProjectionSolver::iterative || (solver == ProjectionSolver::automatic && large))
+  const Index enough = volume_weight > 0 ? iterative_from_unknown : iterative_from_fixed;
+  const bool suits = d == 3 && table.particles() >= enough && !is_thin_lattice(N);
+  if (solver == ProjectionSolver::iterative || (solver == ProjectionSolver::automatic && suits))
     iterate(refinement);
   else
     solve_directly(refinement);

@@ -18,7 +18,7 @@ struct Made {
   CompatibleReport report;
 };
 
-Made made(double jitter, const std::filesystem::path& cache, double volume_weight = 1e-5) {
+Made made(double jitter, const std::filesystem::path& cache, double volume_weight = 1e-7) {
   Made m{testing::block<2>(7, Layout::node, jitter), {}, {}};
   const BondOptions<2> options = testing::options<2>({}, m.cloud.spacing);
   const Neighbours all = find_neighbours<2>(m.cloud, options.kernel.support * options.smoothing_length);

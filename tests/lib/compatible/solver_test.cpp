@@ -42,29 +42,41 @@ template <class Case>
 class ProjectionSolvers : public ::testing::Test {};
 TYPED_TEST_SUITE(ProjectionSolvers, Kinds, test::Names);
 
+/// All area vectors, and what was done.
+template <int d>
+std::pair<std::vector<Vec<d>>, CompatibleReport> area_vectors(Cloud<d> cloud, double beta, double weight,
+                                                              ProjectionSolver solver) {
+  const BondOptions<d> options = testing::options<d>({.beta = beta}, cloud.spacing);
+  const Neighbours all = find_neighbours<d>(cloud, options.kernel.support * options.smoothing_length);
+  std::vector<std::vector<BondConstants<d>>> bonds;
+  for (Index i = 0; i < cloud.size(); ++i) bonds.push_back(bonds_of<d>(cloud, all.of(i), i, options));
+  CompatibleOptions<d> how;
+  how.volume_weight = weight;
+  how.solver = solver;
+  const auto report = make_compatible<d>(cloud, bonds, options.kernel, options.smoothing_length, how);
+  std::vector<Vec<d>> A;
+  for (Index i = 0; i < cloud.size(); ++i)
+    for (const auto& ij : bonds[i]) A.push_back(2 * cloud.V[i] * ij.stencil);
+  return {A, report};
+}
+
 // The least change is one table, whichever way it is found; the multipliers are not unique.
 TYPED_TEST(ProjectionSolvers, FindTheSameTable) {
   constexpr int d = TypeParam::d;
-  for (const double jitter : {0.0, 0.2})
+  for (const auto& [jitter, beta] : {std::pair{0.0, 1.2}, std::pair{0.2, 0.9}})
     for (const double weight : {0.0, CompatibleOptions<d>{}.volume_weight}) {
-      if (d == 3 && weight > 0) continue;  // minutes of factorisation; SmallClouds has it
       SCOPED_TRACE("jitter " + std::to_string(jitter) + ", volumes " + std::to_string(weight));
-      const Cloud<d> cloud = block<d>(jitter);
-      AreaTable<d> direct = start_table(cloud), iterated = direct;
-      const auto a = least_change(direct, cloud.X, weight, ProjectionSolver::direct);
-      const auto b = least_change(iterated, cloud.X, weight, ProjectionSolver::iterative);
+      const auto [direct, a] = area_vectors<d>(block<d>(jitter), beta, weight, ProjectionSolver::direct);
+      const auto [iterated, b] = area_vectors<d>(block<d>(jitter), beta, weight, ProjectionSolver::iterative);
       EXPECT_LT(a.residual, 1e-12);  // what is promised
       EXPECT_LT(b.residual, 1e-12);
       EXPECT_GE(b.levels, 3);
       EXPECT_GT(a.start_residual, 1e-2);
-      double difference = 0, change = 0;
-      for (std::size_t n = 0; n < direct.pairs.size(); ++n) {
-        difference = std::max(difference, (direct.pairs[n].A - iterated.pairs[n].A).norm());
-        change = std::max(change, direct.pairs[n].A.norm());
-      }
+      double difference = 0;
+      for (std::size_t n = 0; n < direct.size(); ++n)
+        difference = std::max(difference, (direct[n] - iterated[n]).norm());
       // residuals of 1e-12 over the root of the smallest eigenvalue, (1/60)^6 and (1/14)^6 of order 1
       EXPECT_LT(difference, 1e-12 * (d == 2 ? 216000 : 2744));
-      EXPECT_GT(change, 0.5);
     }
 }
 
@@ -72,10 +84,11 @@ TYPED_TEST(ProjectionSolvers, SmallCloudsOfAllKinds) {
   constexpr int d = TypeParam::d;
   for (const auto& [name, cloud] : test::all_clouds<d>(1.0))
     for (const double beta : {0.9, 1.2}) {
+      if (beta == 0.9 && name.ends_with("lattice")) continue;  // see IsChosenByWhatItCanDo
       SCOPED_TRACE(name + ", beta " + std::to_string(beta));
       AreaTable<d> direct = start_table(cloud, beta), iterated = direct;
-      const auto a = least_change(direct, cloud.X, 1e-5, ProjectionSolver::direct);
-      const auto b = least_change(iterated, cloud.X, 1e-5, ProjectionSolver::iterative);
+      const auto a = least_change(direct, cloud.X, 1e-3, ProjectionSolver::direct);
+      const auto b = least_change(iterated, cloud.X, 1e-3, ProjectionSolver::iterative);
       EXPECT_LT(a.residual, 1e-12);
       EXPECT_LT(b.residual, 1e-12);
       for (std::size_t n = 0; n < direct.pairs.size(); ++n)
@@ -97,6 +110,24 @@ TYPED_TEST(ProjectionSolvers, GiveTheSameBitsForAnyNumberOfThreads) {
   bool same = one.volume == three.volume;
   for (std::size_t n = 0; n < one.pairs.size(); ++n) same = same && one.pairs[n].A == three.pairs[n].A;
   EXPECT_TRUE(same);
+}
+
+// Iterations where they serve, factors where they do not: small clouds, 2D, and lattices whose bonds reach no
+// second layer.
+TEST(ProjectionSolver, IsChosenByWhatItCanDo) {
+  const auto chosen = [](Index n, double jitter, double beta) {
+    Cloud<3> cloud =
+        lattice<3>({Vec<3>::Zero(), Vec<3>::Constant(static_cast<double>(n))}, {n, n, n}, Layout::node);
+    if (jitter > 0) cloud = jittered<3>(cloud, jitter, 7, Layout::node);
+    const auto report = area_vectors<3>(cloud, beta, 1e-7, ProjectionSolver::automatic).second;
+    EXPECT_LT(report.residual, 1e-12);
+    return report.iterations > 0;
+  };
+  EXPECT_TRUE(chosen(12, 0.2, 0.9));
+  EXPECT_TRUE(chosen(12, 0, 1.2));
+  EXPECT_FALSE(chosen(12, 0, 0.9));
+  EXPECT_FALSE(chosen(6, 0.2, 0.9));
+  EXPECT_EQ(area_vectors<2>(block<2>(0.2), 0.9, 1e-7, ProjectionSolver::automatic).second.iterations, 0);
 }
 
 template <int d>
