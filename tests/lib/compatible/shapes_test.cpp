@@ -25,7 +25,7 @@ struct Made {
 
 template <int d>
 Made<d> compatible(Cloud<d> cloud, const Surface<d>& surface, double beta = 0.9,
-                   double volume_weight = 1e-3) {
+                   double volume_weight = CompatibleOptions<d>{}.volume_weight) {
   const BondOptions<d> options = testing::options<d>({.beta = beta}, cloud.spacing);
   const Neighbours all = find_neighbours<d>(cloud, options.kernel.support * options.smoothing_length);
   Made<d> made;

@@ -55,7 +55,9 @@ nlohmann::ordered_json compatible_json(const CompatibleReport* report) {
           {"residual", report->residual},
           {"largest_change", report->largest_change},
           {"largest_volume_change", report->largest_volume_change},
-          {"refinements", report->refinements}};
+          {"refinements", report->refinements},
+          {"iterations", report->iterations},
+          {"from_cache", report->from_cache}};
 }
 
 std::string compatible_text(const CompatibleReport* report) {
@@ -63,9 +65,13 @@ std::string compatible_text(const CompatibleReport* report) {
   return fmt::format(
       "compatible table: boundary vectors miss the divergence theorem by {:.2g} of the volume, corrected to "
       "{:.1g}; "
-      "constraints from {:.2g} to {:.1g}, {} unknowns; volumes change by at most {:.2g} of themselves\n",
+      "constraints from {:.2g} to {:.1g}, {}; volumes change by at most {:.2g} of themselves\n",
       report->divergence_defect, report->divergence_remainder, report->start_residual, report->residual,
-      report->unknowns, report->largest_volume_change);
+      report->from_cache ? "read from the cache"
+      : report->iterations > 0
+          ? fmt::format("{} unknowns, {} iterations", report->unknowns, report->iterations)
+          : fmt::format("{} unknowns, factorised", report->unknowns),
+      report->largest_volume_change);
 }
 
 std::size_t peak_resident_bytes() {
