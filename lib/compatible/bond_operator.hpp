@@ -50,6 +50,6 @@ void apply_bonds(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<
 
 /// No eigenvalue of (diagonal blocks)^-1 times the matrix with fixed volumes is larger: each bond joins two
 /// particles, and (a + b)^2 <= 2 a^2 + 2 b^2.
-inline constexpr double largest_eigenvalue = 2;
+inline constexpr double smoothing_bound = 2;
 
 }  // namespace plumb

@@ -28,7 +28,7 @@ template <int d>
 void smooth(const BondOperator<d>& N, int sweeps, bool lazy, Multipliers<d>& r, Multipliers<d>& x,
             Multipliers<d>& z, Multipliers<d>& Nz) {
   for (int n = 1; n <= sweeps; ++n) {
-    const auto step = chebyshev(n, largest_eigenvalue);
+    const auto step = chebyshev(n, smoothing_bound);
 #pragma omp parallel for schedule(static)
     for (Index i = 0; i < N.particles(); ++i) {
       const MultiplierBlock<d> fresh = step.fresh * (r[i] * N.inverse_diagonal[i]);
