@@ -196,7 +196,9 @@ TYPED_TEST(ProjectionSolvers, QuadraticFields) {
     apply(N, x, z);
     for (std::size_t i = 0; i < x.size(); ++i) z[i] -= y[i];
     EXPECT_LT(largest<d>(z), 1e-12);  // what was taken away had no image
-    if (weight == 0) EXPECT_LT(largest<d>(x), 1e-12);
+    if (weight == 0) {
+      EXPECT_LT(largest<d>(x), 1e-12);
+    }
   }
 }
 
