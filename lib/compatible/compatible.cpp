@@ -12,6 +12,8 @@ namespace {
 
 /// What is promised of the constraints, relative to areas and volumes of order 1.
 constexpr double tolerance = 1e-12;
+/// What a surface may miss of the divergence theorem: without one of the faces of a box it misses 1.
+constexpr double most_defect = 0.5;
 
 /// V_i <- V_i (1 + a + b . X_i) with the body's volume and centroid: what fixed volumes must have, THEORY
 /// (11.6).
@@ -41,6 +43,10 @@ void match_moments(AreaTable<d>& table, const Cloud<d>& cloud, const Surface<d>&
 
 template <int d>
 void check(const AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleReport& report) {
+  if (!(report.divergence_defect < most_defect))
+    throw InputError(fmt::format("the surface violates the divergence theorem by {:.3g} of the volume",
+                                 report.divergence_defect),
+                     "it is not closed, or too coarse for its particles", "use a smaller spacing");
   if (!(report.divergence_remainder < tolerance))
     throw InputError(fmt::format("the surface violates the divergence theorem by {:.3g} of the volume",
                                  report.divergence_remainder),

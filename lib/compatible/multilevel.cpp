@@ -122,8 +122,9 @@ void cycle(const Multilevel<d>& all, std::size_t level, Coefficients<d>& r, Coef
   if (level + 1 == all.levels.size()) {
     Eigen::Matrix<double, Eigen::Dynamic, lanes<d>> packed(matrix.rows(), lanes<d>);
     for (Index k = 0; k < matrix.rows(); ++k) packed.row(k) = r[matrix.places[k]].transpose();
-    packed = all.coarsest_inverse * packed;
-    for (Index k = 0; k < matrix.rows(); ++k) x[matrix.places[k]] = packed.row(k).transpose();
+#pragma omp parallel for schedule(static)
+    for (Index k = 0; k < matrix.rows(); ++k)
+      x[matrix.places[k]] = packed.transpose() * all.coarsest_inverse.col(k);  // symmetric
     return;
   }
   smooth(matrix, spline_sweeps, false, r, x);
@@ -155,6 +156,10 @@ Multilevel<d> multilevel(const BondOperator<d>& N) {
   all.by_cell = particles_by_cell<d>(grid, N.X);
   all.levels.push_back(spline_matrix<d>(N, grid, all.by_cell));
   while (all.levels.back().rows() > most_coarsest_rows) all.levels.push_back(coarser(all.levels.back()));
+// Eigen would split its products among the threads, and their blocks, so the bits, with them: within a team
+// it uses the one that calls.
+#pragma omp parallel num_threads(2)
+#pragma omp single
   all.coarsest_inverse = pseudo_inverse(all.levels.back());
   return all;
 }

@@ -26,8 +26,7 @@ AreaTable<d> start_table(const Cloud<d>& cloud, double beta = 0.9) {
 
 /// Large enough for a V-cycle of more than one spline level, small enough for the direct solver.
 template <int d>
-Cloud<d> block(double jitter) {
-  const Index n = d == 2 ? 60 : 14;
+Cloud<d> block(double jitter, Index n = d == 2 ? 60 : 14) {
   std::array<Index, d> cells;
   cells.fill(n);
   cells[0] = n - 3;
@@ -63,20 +62,22 @@ std::pair<std::vector<Vec<d>>, CompatibleReport> area_vectors(Cloud<d> cloud, do
 // The least change is one table, whichever way it is found; the multipliers are not unique.
 TYPED_TEST(ProjectionSolvers, FindTheSameTable) {
   constexpr int d = TypeParam::d;
+  const Index n = d == 2 ? 60 : 10;  // factors of larger ones take seconds
   for (const auto& [jitter, beta] : {std::pair{0.0, 1.2}, std::pair{0.2, 0.9}})
     for (const double weight : {0.0, CompatibleOptions<d>{}.volume_weight}) {
       SCOPED_TRACE("jitter " + std::to_string(jitter) + ", volumes " + std::to_string(weight));
-      const auto [direct, a] = area_vectors<d>(block<d>(jitter), beta, weight, ProjectionSolver::direct);
-      const auto [iterated, b] = area_vectors<d>(block<d>(jitter), beta, weight, ProjectionSolver::iterative);
+      const auto [direct, a] = area_vectors<d>(block<d>(jitter, n), beta, weight, ProjectionSolver::direct);
+      const auto [iterated, b] =
+          area_vectors<d>(block<d>(jitter, n), beta, weight, ProjectionSolver::iterative);
       EXPECT_LT(a.residual, 1e-12);  // what is promised
       EXPECT_LT(b.residual, 1e-12);
-      EXPECT_GE(b.levels, 3);
+      EXPECT_GE(b.levels, 2);
       EXPECT_GT(a.start_residual, 1e-2);
       double difference = 0;
-      for (std::size_t n = 0; n < direct.size(); ++n)
-        difference = std::max(difference, (direct[n] - iterated[n]).norm());
-      // residuals of 1e-12 over the root of the smallest eigenvalue, (1/60)^6 and (1/14)^6 of order 1
-      EXPECT_LT(difference, 1e-12 * (d == 2 ? 216000 : 2744));
+      for (std::size_t k = 0; k < direct.size(); ++k)
+        difference = std::max(difference, (direct[k] - iterated[k]).norm());
+      // residuals of 1e-12 over the root of the smallest eigenvalue, (1/60)^6 and (1/10)^6 of order 1
+      EXPECT_LT(difference, 1e-12 * (d == 2 ? 216000 : 1000));
     }
 }
 
@@ -99,7 +100,7 @@ TYPED_TEST(ProjectionSolvers, SmallCloudsOfAllKinds) {
 
 TYPED_TEST(ProjectionSolvers, GiveTheSameBitsForAnyNumberOfThreads) {
   constexpr int d = TypeParam::d;
-  const Cloud<d> cloud = block<d>(0.2);
+  const Cloud<d> cloud = block<d>(0.2, d == 2 ? 40 : 12);
   AreaTable<d> one = start_table(cloud), three = one;
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -235,7 +236,7 @@ TYPED_TEST(ProjectionSolvers, SplineMatricesAreGalerkinProducts) {
     EXPECT_LT((coarse_entries[p] - coarse_factors[p]).norm(), 1e-12);
     most = std::max(most, coarse_entries[p].norm());
   }
-  EXPECT_GT(most, 1e-2);
+  EXPECT_GT(most, 1e-4);
 }
 
 // Conjugate gradients need a symmetric preconditioner that is positive.
