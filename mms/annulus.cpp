@@ -23,19 +23,6 @@ Cloud<2> empty_cloud(double outer, double spacing) {
   return cloud;
 }
 
-/// Share of the cell around `middle` that lies in the annulus, by 32 x 32 points (error below 0.1 %).
-double share_inside(const Vec<2>& middle, double size, double inner, double outer) {
-  constexpr int points = 32;
-  int inside = 0;
-  for (int a = 0; a < points; ++a)
-    for (int b = 0; b < points; ++b) {
-      const double radius =
-          (middle + size * Vec<2>((a + 0.5) / points - 0.5, (b + 0.5) / points - 0.5)).norm();
-      inside += radius >= inner && radius <= outer;
-    }
-  return static_cast<double>(inside) / (points * points);
-}
-
 }  // namespace
 
 Cloud<2> polar_cloud(double inner, double outer, double spacing) {
@@ -71,18 +58,8 @@ Surface<2> polar_surface(const Cloud<2>& polar, double inner, double outer) {
   return mesh_surface<2>(polar, mesh);
 }
 
-Cloud<2> clipped_cloud(double inner, double outer, double spacing) {
-  check(inner, outer, spacing);
-  Cloud<2> cloud = empty_cloud(outer, spacing);
-  const auto cells = static_cast<int>(std::ceil(outer / spacing));
-  for (int a = -cells; a < cells; ++a)
-    for (int b = -cells; b < cells; ++b) {
-      const Vec<2> middle = spacing * Vec<2>(a + 0.5, b + 0.5);
-      if (middle.norm() < inner || middle.norm() > outer) continue;
-      cloud.X.push_back(middle);
-      cloud.V.push_back(spacing * spacing * share_inside(middle, spacing, inner, outer));
-    }
-  return cloud;
+Shape<2> annulus_shape(double inner, double outer) {
+  return shape_named<2>("annulus", {{"inner", {inner}}, {"outer", {outer}}});
 }
 
 }  // namespace plumb::mms

@@ -1,5 +1,6 @@
 #pragma once
 #include "plumbline/compatible/mesh_surface.hpp"
+#include "plumbline/geometry/shape.hpp"
 
 namespace plumb::mms {
 
@@ -11,9 +12,7 @@ Cloud<2> polar_cloud(double inner, double outer, double spacing);
 /// The two polygons whose corners are the first and the last ring of a polar cloud.
 Surface<2> polar_surface(const Cloud<2>& polar, double inner, double outer);
 
-/// The square lattice of cells of size `spacing` around the origin, clipped: a particle in each cell whose
-/// middle lies in the annulus. Its volume is the part of the cell inside; parts of cells without a particle
-/// are left out, so that the volumes add up to the annulus' up to a share of order spacing.
-Cloud<2> clipped_cloud(double inner, double outer, double spacing);
+/// The annulus as a shape, which clips a lattice or a random cloud (shaped_cloud).
+Shape<2> annulus_shape(double inner, double outer);
 
 }  // namespace plumb::mms

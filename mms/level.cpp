@@ -11,6 +11,8 @@
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
 #include "mms/mirrored.hpp"
+#include "plumbline/compatible/clipped_surface.hpp"
+#include "plumbline/geometry/shaped_cloud.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -145,8 +147,13 @@ Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution,
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
     if (domain.shape == Domain<d>::Shape::annulus) {
-      if (study.body.layout != Layout::node)
-        return make_simulation<d>(scene, clipped_cloud(domain.inner, domain.outer, spacing));
+      if (study.body.layout != Layout::node || study.body.cloud != "lattice" || study.body.jitter > 0) {
+        const Shape<2> shape = annulus_shape(domain.inner, domain.outer);
+        Cloud<2> cloud = shaped_cloud<2>(shape, {spacing, study.body.layout, study.body.cloud == "blue-noise",
+                                                 study.body.jitter, study.body.seed});
+        const Surface<2> surface = clipped_surface<2>(cloud, shape);
+        return make_simulation<d>(scene, std::move(cloud), std::optional(surface));
+      }
       Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
       const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
       return make_simulation<d>(scene, std::move(polar), std::optional(surface));

@@ -62,7 +62,8 @@ template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time);
 
 /// The study's body with this spacing [m], at rest and without loads. Boxes are built as in any scene; annuli
-/// as rings (layout node) or as a clipped lattice (layout cell).
+/// as rings (layout node), as a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is
+/// filled.
 template <int d>
 Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
 

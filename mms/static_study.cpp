@@ -18,7 +18,7 @@ double cpu_now() {
 }
 
 template <int d>
-Solid<d> solid_of(const Study& study, double spacing) {
+Simulation<d> simulation_of(const Study& study, double spacing) {
   Scene scene;
   scene.dimension = d;
   scene.max_steps = 1;
@@ -26,7 +26,7 @@ Solid<d> solid_of(const Study& study, double spacing) {
   scene.material = study.material;
   scene.method = study.method;
   scene.hourglass = study.hourglass;
-  return make_simulation<d>(scene).solid;
+  return make_simulation<d>(scene);
 }
 
 /// Sides on which a particle lies: face 2 k is the lower one of axis k.
@@ -114,7 +114,9 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const Solid<d> solid = solid_of<d>(study, spacing);
+  const Simulation<d> simulation = simulation_of<d>(study, spacing);
+  const Solid<d>& solid = simulation.solid;
+  level.compatible = simulation.compatible;
   level.setup_s = cpu_now() - start;
   level.n = solid.cloud.size();
   level.d = spacing;

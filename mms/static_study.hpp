@@ -1,9 +1,11 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mms/study.hpp"
+#include "plumbline/compatible/compatible.hpp"
 
 namespace plumb::mms {
 
@@ -15,6 +17,7 @@ struct StaticLevel {
   /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
   /// body force, so that it is a vibration.
   std::optional<double> frequency_error;
+  std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
   std::optional<std::string> failure;  ///< why there is no frequency where there should be one
   double setup_s = 0;                  ///< CPU time of the bond table [s]
   double solve_s = 0;                  ///< CPU time of assembly and solution [s]
@@ -30,8 +33,8 @@ struct StaticResult {
 /// whole surface of the box, -Div P inside, one linear solution with the stiffness assembled from the bond
 /// table. And the vibration next to the solution's, with the solution's own conditions on the faces. Linear,
 /// so the amplitude should be small: it is the relative modelling error. Node layout only; throws InputError
-/// otherwise. Expect::l2, h1 and stress_l2 are the declared orders. Each level is a part of the sitting; throws
-/// SittingEnded if that ends, after the level at hand.
+/// otherwise. Expect::l2, h1 and stress_l2 are the declared orders. Each level is a part of the sitting;
+/// throws SittingEnded if that ends, after the level at hand.
 StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
 /// The same in one sitting.
 inline StaticResult run_static_study(const Study& study, const StudyProgress& progress = {}) {

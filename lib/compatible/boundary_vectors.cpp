@@ -10,11 +10,35 @@ namespace {
 
 /// Linear extrapolation from inside needs two layers of particles, so at least this ratio of h to spacing.
 constexpr double least_beta = 1.2;
+/// Sum of the magnitudes of weights that are taken: half a spacing beyond two particles they are 3/2 and
+/// -1/2, and irregular or cut neighbourhoods add to that.
+constexpr double most_amplification = 4;
+/// Moments count as met: rounding of sums of some thousand terms of order 1, and below what the projection
+/// asks for.
+constexpr double met = 1e-13;
+/// Share of a boundary vector that counts as if spread over the particles around it, where those on the
+/// surface alone cannot meet the moments.
+constexpr double spread = 0.1;
 
-/// Distance of a particle from the plane of its facet [m].
+/// Weights at the point that are exact for linear fields, from a support that grows until they do not
+/// amplify: far from the particles (in a sharp corner) those of a narrow one would be large and of both
+/// signs.
 template <int d>
-double depth(const Cloud<d>& cloud, const Facet<d>& facet) {
-  return std::abs((facet.centroid - cloud.X[facet.owner]).dot(facet.area)) / facet.area.norm();
+std::vector<double> extrapolation(const Cloud<d>& cloud, const NeighbourSearch<d>& search,
+                                  const RadialKernel<d>& kernel, double h, const Vec<d>& point,
+                                  std::vector<Index>& found) {
+  std::vector<Neighbour<d>> seen;
+  for (double wide = std::max(h, least_beta * cloud.spacing);; wide *= 1.25) {
+    search.within(point, kernel.support * wide, found);
+    seen.clear();
+    for (const Index j : found) seen.push_back({cloud.X[j] - point, cloud.V[j]});
+    const bool all = found.size() == static_cast<std::size_t>(cloud.size());
+    if (!all && (found.size() < (1U << d) || independent_directions<d>(seen) < d)) continue;
+    const auto weight = correct<d>(Pair::W1, kernel, wide, seen).weight;
+    double size = 0;
+    for (const double w : weight) size += std::abs(w);
+    if (all || size < most_amplification) return weight;
+  }
 }
 
 template <int d>
@@ -22,20 +46,15 @@ std::vector<Vec<d>> lumped(const Cloud<d>& cloud, const RadialKernel<d>& kernel,
                            const std::vector<Facet<d>>& facets) {
   std::vector<Vec<d>> B(cloud.size(), Vec<d>::Zero());
   const NeighbourSearch<d> search(cloud.X);
-  const double wide = std::max(h, least_beta * cloud.spacing);
   std::vector<Index> found;
-  std::vector<Neighbour<d>> seen;
   for (const Facet<d>& facet : facets) {
     // 1e-9 spacings: on the face, but for the rounding of coordinates
-    if (depth(cloud, facet) < 1e-9 * cloud.spacing) {
+    if (facet.depth < 1e-9 * cloud.spacing) {
       B[facet.owner] += facet.area;
       continue;
     }
-    search.within(facet.centroid, kernel.support * wide, found);
-    seen.clear();
-    for (const Index j : found) seen.push_back({cloud.X[j] - facet.centroid, cloud.V[j]});
-    const CorrectedKernel<d> shape = correct<d>(Pair::W1, kernel, wide, seen);
-    for (std::size_t n = 0; n < found.size(); ++n) B[found[n]] += shape.weight[n] * facet.area;
+    const auto weight = extrapolation<d>(cloud, search, kernel, h, facet.centroid, found);
+    for (std::size_t n = 0; n < found.size(); ++n) B[found[n]] += weight[n] * facet.area;
   }
   return B;
 }
@@ -64,6 +83,41 @@ Eigen::MatrixXd missing_moments(const std::vector<Eigen::VectorXd>& m, const std
   return missing;
 }
 
+/// Adds what is missing by the least change with these weights; returns what is missing then. Twice, since
+/// the second pass removes the rounding of the first.
+template <int d>
+Eigen::MatrixXd add_missing(const std::vector<Eigen::VectorXd>& m, const std::vector<double>& weight,
+                            double scale, std::vector<Vec<d>>& B) {
+  Eigen::MatrixXd missing = missing_moments<d>(m, B, scale);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(missing.rows(), missing.rows());
+  for (std::size_t i = 0; i < B.size(); ++i) gram += weight[i] * m[i] * m[i].transpose();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(1e-10);  // moments that the surface does not tell apart (in 1D: 1 and x^2)
+  solver.compute(gram);
+  for (int pass = 0; pass < 2; ++pass) {
+    const Eigen::MatrixXd change = solver.solve(missing);
+    for (std::size_t i = 0; i < B.size(); ++i)
+      if (weight[i] > 0) B[i] += weight[i] * (change.transpose() * m[i]);
+    missing = missing_moments<d>(m, B, scale);
+  }
+  return missing;
+}
+
+/// Weights of all particles near the surface. On a circle or a sphere the particles do not tell 1 from |x|^2,
+/// so that the centroid of a polyhedron beside its centre asks for some that lie inside.
+template <int d>
+std::vector<double> spread_weights(const Cloud<d>& cloud, std::vector<double> weight) {
+  const NeighbourSearch<d> search(cloud.X);
+  const std::vector<double> own = weight;
+  std::vector<Index> found;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    if (own[i] == 0) continue;
+    search.within(cloud.X[i], 2 * cloud.spacing, found);
+    for (const Index j : found) weight[j] += spread * own[i] / static_cast<double>(found.size());
+  }
+  return weight;
+}
+
 }  // namespace
 
 template <int d>
@@ -79,25 +133,16 @@ BoundaryVectors<d> boundary_vectors(const Cloud<d>& cloud, const RadialKernel<d>
   const double size = std::pow(surface.volume, 1.0 / d);
   const double scale = surface.volume / size;  // of x B with x in units of the size
   std::vector<Eigen::VectorXd> m;
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(1 + d + d * (d + 1) / 2, 1 + d + d * (d + 1) / 2);
+  std::vector<double> weight;
   for (Index i = 0; i < cloud.size(); ++i) {
     m.push_back(monomials<d>((cloud.X[i] - surface.centroid) / size));
-    gram += result.B[i].norm() * m[i] * m[i].transpose();
+    weight.push_back(result.B[i].norm());
   }
-  Eigen::MatrixXd missing = missing_moments<d>(m, result.B, scale);
-  result.defect = missing.cwiseAbs().maxCoeff() / scale;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(1e-10);  // moments that the surface does not tell apart (in 1D: 1 and x^2)
-  solver.compute(gram);
-  for (int pass = 0; pass < 2; ++pass) {  // the second one removes the rounding of the first
-    const Eigen::MatrixXd change = solver.solve(missing);
-    for (Index i = 0; i < cloud.size(); ++i) {
-      const double weight = result.B[i].norm();
-      if (weight > 0) result.B[i] += weight * (change.transpose() * m[i]);
-    }
-    missing = missing_moments<d>(m, result.B, scale);
-  }
-  result.remainder = missing.cwiseAbs().maxCoeff() / scale;
+  const auto largest = [&](const Eigen::MatrixXd& missing) { return missing.cwiseAbs().maxCoeff() / scale; };
+  result.defect = largest(missing_moments<d>(m, result.B, scale));
+  result.remainder = largest(add_missing<d>(m, weight, scale, result.B));
+  if (result.remainder > met)
+    result.remainder = largest(add_missing<d>(m, spread_weights(cloud, weight), scale, result.B));
   return result;
 }
 

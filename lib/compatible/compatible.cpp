@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "plumbline/compatible/least_change.hpp"
+#include "plumbline/compatible/projection_cache.hpp"
 #include "plumbline/geometry/position_text.hpp"
 
 namespace plumb {
@@ -12,6 +12,8 @@ namespace {
 
 /// What is promised of the constraints, relative to areas and volumes of order 1.
 constexpr double tolerance = 1e-12;
+/// What a surface may miss of the divergence theorem: without one of the faces of a box it misses 1.
+constexpr double most_defect = 0.5;
 
 /// V_i <- V_i (1 + a + b . X_i) with the body's volume and centroid: what fixed volumes must have, THEORY
 /// (11.6).
@@ -41,6 +43,10 @@ void match_moments(AreaTable<d>& table, const Cloud<d>& cloud, const Surface<d>&
 
 template <int d>
 void check(const AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleReport& report) {
+  if (!(report.divergence_defect < most_defect))
+    throw InputError(fmt::format("the surface violates the divergence theorem by {:.3g} of the volume",
+                                 report.divergence_defect),
+                     "it is not closed, or too coarse for its particles", "use a smaller spacing");
   if (!(report.divergence_remainder < tolerance))
     throw InputError(fmt::format("the surface violates the divergence theorem by {:.3g} of the volume",
                                  report.divergence_remainder),
@@ -57,6 +63,31 @@ void check(const AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleRep
                        "move the particle, use a larger beta, or volumes = \"fixed\"");
 }
 
+/// The table from the cache if it meets the constraints, otherwise the least change, which the cache then
+/// keeps.
+template <int d>
+LeastChange project(AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleOptions<d>& options,
+                    CompatibleReport& report) {
+  if (options.cache.empty()) return least_change(table, cloud.X, options.volume_weight, options.solver);
+  const auto file = options.cache / projection_name(table, options.volume_weight);
+  AreaTable<d> kept = table;
+  if (read_projection(file, kept)) {
+    LeastChange found{};
+    found.start_residual = largest<d>(missing(table));
+    found.residual = largest<d>(missing(kept));
+    for (std::size_t n = 0; n < table.pairs.size(); ++n)
+      found.largest_change = std::max(found.largest_change, (kept.pairs[n].A - table.pairs[n].A).norm());
+    if (found.residual < tolerance) {
+      table = std::move(kept);
+      report.from_cache = true;
+      return found;
+    }
+  }
+  const LeastChange found = least_change(table, cloud.X, options.volume_weight, options.solver);
+  if (found.residual < tolerance) write_projection(file, table);
+  return found;
+}
+
 }  // namespace
 
 template <int d>
@@ -69,18 +100,19 @@ CompatibleReport make_compatible(Cloud<d>& cloud, std::vector<std::vector<BondCo
   report.divergence_defect = boundary.defect;
   report.divergence_remainder = boundary.remainder;
   AreaTable<d> table = area_table<d>(cloud, bonds, kernel, h, boundary.B);
+  const std::vector<double> start = table.volume;
   if (options.volume_weight == 0) match_moments(table, cloud, surface);
-  const AreaTable<d> start = table;
-  const LeastChange found = least_change(table, options.volume_weight);
+  const LeastChange found = project(table, cloud, options, report);
   report.start_residual = found.start_residual;
   report.residual = found.residual;
   report.refinements = found.refinements;
+  report.iterations = found.iterations;
+  report.levels = found.levels;
   report.unknowns = found.unknowns;
-  for (std::size_t n = 0; n < table.pairs.size(); ++n)
-    report.largest_change = std::max(report.largest_change, (table.pairs[n].A - start.pairs[n].A).norm());
+  report.largest_change = found.largest_change;
   for (Index i = 0; i < cloud.size(); ++i)
     report.largest_volume_change =
-        std::max(report.largest_volume_change, std::abs(table.volume[i] / start.volume[i] - 1));
+        std::max(report.largest_volume_change, std::abs(table.volume[i] / start[i] - 1));
   check(table, cloud, report);
   write_back(table, cloud, bonds);
   return report;

@@ -1,8 +1,10 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
 
 #include "plumbline/compatible/boundary_vectors.hpp"
+#include "plumbline/compatible/least_change.hpp"
 #include "plumbline/gradient/bond_table.hpp"
 
 namespace plumb {
@@ -12,10 +14,13 @@ template <int d>
 struct CompatibleOptions {
   /// How readily volumes change, relative to area vectors; 0: they are fixed but for the smallest linear
   /// change that gives the body its volume and its centroid. The smaller, the nearer they stay to Voronoi's
-  /// and the safer from turning negative on irregular clouds: measured from 1e-1 to 1e-3.
-  double volume_weight = 1e-3;
+  /// and the safer from turning negative on irregular clouds (measured from 1e-1 to 1e-7), and the fewer
+  /// iterations large clouds take.
+  double volume_weight = 1e-7;
   /// The body's surface; box_surface unless another shape is given.
   std::function<Surface<d>(const Cloud<d>&)> surface = box_surface<d>;
+  ProjectionSolver solver = ProjectionSolver::automatic;  ///< by the number of particles
+  std::filesystem::path cache;  ///< folder of tables that were projected before; empty: none is kept
 };
 
 /// What the projection found and did.
@@ -26,8 +31,11 @@ struct CompatibleReport {
   double residual = 0;               ///< and by the projected one
   double largest_change = 0;         ///< of an area vector, in units of spacing^(d-1)
   double largest_volume_change = 0;  ///< of a volume, relative
-  int refinements = 0;               ///< solutions with the one factorisation
-  Index unknowns = 0;                ///< of the linear system
+  int refinements = 0;               ///< solutions, each for what the ones before left
+  int iterations = 0;                ///< of the conjugate gradients; 0: solved directly
+  int levels = 0;                    ///< of their V-cycle
+  Index unknowns = 0;                ///< of the linear system; 0: nothing was solved
+  bool from_cache = false;           ///< the table was read, and its constraints checked
 };
 
 /// Projects the stencils of all particles onto area vectors that are antisymmetric, closed and exact: the

@@ -1,7 +1,10 @@
 #include "plumbline/compatible/least_change.hpp"
 
 #include <Eigen/CholmodSupport>
+#include <algorithm>
 
+#include "plumbline/compatible/conjugate_gradients.hpp"
+#include "plumbline/compatible/quadratic_fields.hpp"
 #include "plumbline/core/error.hpp"
 
 namespace plumb {
@@ -16,7 +19,34 @@ using Factor = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::L
 constexpr double least_shift = 1e-14, most_shift = 1e-10;
 /// Rounding of the sums of some 30 terms of order 1 that make a constraint.
 constexpr double round_off = 1e-14;
+/// What iterations aim at: a fifth of what is promised. Each solution of theirs takes off six digits, beyond
+/// which the residual that they carry along is no longer the true one (1e-16 of multipliers up to 1e6).
+constexpr double iterated_goal = 2e-13, digits = 1e-4;
 constexpr int most_refinements = 60;
+/// Particles from which on iterations take less time in 3D; in 2D factors are cheap. Measured, THEORY
+/// chapter 11.
+constexpr Index iterative_from_fixed = 8000, iterative_from_unknown = 1500;
+
+/// Particles on all crossings of planes, and no bond that passes over a plane: then fields of one coordinate
+/// are in the null space, which iterations do not bear (THEORY chapter 11).
+template <int d>
+bool is_thin_lattice(const BondOperator<d>& N) {
+  Index crossings = 1;
+  for (int k = 0; k < d; ++k) {
+    std::vector<double> planes;
+    for (const auto& X : N.X) planes.push_back(X[k]);
+    std::sort(planes.begin(), planes.end());
+    // 1e-6 spacings: the same plane, but for the rounding of coordinates
+    const auto end =
+        std::unique(planes.begin(), planes.end(), [](double a, double b) { return b - a < 1e-6; });
+    crossings *= end - planes.begin();
+    if (crossings > N.particles()) return false;
+  }
+  for (Index i = 0; i < N.particles(); ++i)
+    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b)
+      if (2 * N.half(i, b).cwiseAbs().maxCoeff() > 1.5) return false;
+  return true;
+}
 
 /// Factorises the matrix with the least shift that works.
 void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
@@ -30,50 +60,104 @@ void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
                    "use a larger beta");
 }
 
-/// One right-hand side per column, or all of them in one, particle by particle.
+/// All components at once, or one right-hand side per component.
 template <int d>
-ConstraintValues solve(const Factor& factor, const ConstraintValues& right, bool coupled) {
-  if (!coupled) return factor.solve(right);
-  const Index n = right.rows() / (d + 1);
-  Eigen::VectorXd packed(right.size());
+Multipliers<d> solve(const Factor& factor, const Multipliers<d>& right, bool coupled) {
+  const Index n = static_cast<Index>(right.size()), parts = coupled ? d : 1;
+  Eigen::MatrixXd packed(n * parts * (d + 1), d / parts);
+  const auto place = [&](Index i, int a) {
+    return packed.block(coupled ? (i * d + a) * (d + 1) : i * (d + 1), coupled ? 0 : a, d + 1, 1);
+  };
   for (Index i = 0; i < n; ++i)
-    for (int c = 0; c < d; ++c)
-      packed.segment<d + 1>((i * d + c) * (d + 1)) = right.template block<d + 1, 1>(i * (d + 1), c);
+    for (int a = 0; a < d; ++a) place(i, a) = right[i].row(a).transpose();
   packed = factor.solve(packed).eval();
-  ConstraintValues result(right.rows(), right.cols());
+  Multipliers<d> x(right.size(), MultiplierBlock<d>::Zero());
   for (Index i = 0; i < n; ++i)
-    for (int c = 0; c < d; ++c)
-      result.template block<d + 1, 1>(i * (d + 1), c) = packed.segment<d + 1>((i * d + c) * (d + 1));
-  return result;
+    for (int a = 0; a < d; ++a) x[i].row(a) = place(i, a).transpose();
+  return x;
+}
+
+/// A table that is changed step by step, and taken back if a step made it worse.
+template <int d>
+struct Refinement {
+  AreaTable<d>& table;
+  const BondOperator<d>& N;
+  Multipliers<d> wrong, total;
+  LeastChange found{};
+
+  Refinement(AreaTable<d>& t, const BondOperator<d>& n) : table(t), N(n), wrong(missing(t)) {
+    total.assign(wrong.size(), MultiplierBlock<d>::Zero());
+    found.start_residual = found.residual = largest<d>(wrong);
+  }
+
+  /// Whether another step is worth while: the residual is `enough` times the one before, or less.
+  bool step(Multipliers<d> x, double enough) {
+    ++found.refinements;
+    add_multipliers(table, N, x);
+    const double before = found.residual;
+    Multipliers<d> now = missing(table);
+    const double residual = largest<d>(now);
+    if (!(residual < before)) {
+      for (auto& block : x) block = -block;
+      add_multipliers(table, N, x);
+      return false;
+    }
+    wrong = std::move(now);
+    found.residual = residual;
+    for (std::size_t i = 0; i < x.size(); ++i) total[i] += x[i];
+    return residual < enough * before;
+  }
+};
+
+template <int d>
+void solve_directly(Refinement<d>& refinement) {
+  Factor factor;
+  const auto matrix = normal_matrix(refinement.table, refinement.N);
+  factorise(factor, matrix);
+  refinement.found.unknowns = matrix.rows();
+  while (refinement.found.residual > round_off && refinement.found.refinements < most_refinements)
+    if (!refinement.step(solve<d>(factor, refinement.wrong, refinement.N.volume_weight > 0), 1)) return;
+}
+
+template <int d>
+void iterate(Refinement<d>& refinement) {
+  const auto& N = refinement.N;
+  const Multilevel<d> levels = multilevel(N);
+  const QuadraticFields<d> quadratic = quadratic_fields<d>(N);
+  LeastChange& found = refinement.found;
+  found.levels = static_cast<int>(levels.levels.size()) + 1;
+  found.unknowns = N.particles() * d * (d + 1);
+  Multipliers<d> x;
+  while (found.residual > iterated_goal && found.refinements < most_refinements) {
+    Multipliers<d> right = refinement.wrong;
+    remove_null_part<d>(quadratic, N.X, right);
+    const double goal = std::max(digits * found.residual, iterated_goal / 2);
+    found.iterations += solve_by_iterations(N, levels, quadratic, std::move(right), goal, x);
+    if (!refinement.step(x, 0.5)) return;
+  }
 }
 
 }  // namespace
 
 template <int d>
-LeastChange least_change(AreaTable<d>& table, double volume_weight) {
-  LeastChange result{};
-  Factor factor;
-  const auto matrix = normal_matrix(table, volume_weight);
-  factorise(factor, matrix);
-  result.unknowns = matrix.rows();
-  ConstraintValues wrong = missing(table);
-  result.start_residual = result.residual = wrong.cwiseAbs().maxCoeff();
-  AreaTable<d> best = table;
-  while (result.residual > round_off && result.refinements < most_refinements) {
-    add_multipliers(table, solve<d>(factor, wrong, volume_weight > 0), volume_weight);
-    wrong = missing(table);
-    ++result.refinements;
-    const double residual = wrong.cwiseAbs().maxCoeff();
-    if (!(residual < 10 * result.residual)) break;  // rounding, or no solution
-    if (residual < result.residual) best = table;
-    result.residual = std::min(residual, result.residual);
-  }
-  table = std::move(best);
-  return result;
+LeastChange least_change(AreaTable<d>& table, const std::vector<Vec<d>>& X, double volume_weight,
+                         ProjectionSolver solver) {
+  const BondOperator<d> N = bond_operator(table, X, volume_weight);
+  Refinement<d> refinement(table, N);
+  const Index enough = volume_weight > 0 ? iterative_from_unknown : iterative_from_fixed;
+  const bool suits = d == 3 && table.particles() >= enough && !is_thin_lattice(N);
+  if (solver == ProjectionSolver::iterative || (solver == ProjectionSolver::automatic && suits))
+    iterate(refinement);
+  else
+    solve_directly(refinement);
+  for (const auto& pair : table.pairs)
+    refinement.found.largest_change =
+        std::max(refinement.found.largest_change, image<d>(pair, refinement.total).norm());
+  return refinement.found;
 }
 
-template LeastChange least_change<1>(AreaTable<1>&, double);
-template LeastChange least_change<2>(AreaTable<2>&, double);
-template LeastChange least_change<3>(AreaTable<3>&, double);
+template LeastChange least_change<1>(AreaTable<1>&, const std::vector<Vec<1>>&, double, ProjectionSolver);
+template LeastChange least_change<2>(AreaTable<2>&, const std::vector<Vec<2>>&, double, ProjectionSolver);
+template LeastChange least_change<3>(AreaTable<3>&, const std::vector<Vec<3>>&, double, ProjectionSolver);
 
 }  // namespace plumb

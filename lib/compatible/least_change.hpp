@@ -3,17 +3,25 @@
 
 namespace plumb {
 
+/// How the system of THEORY (11.5) is solved. Direct: CHOLMOD's factors of the normal matrix. Iterative:
+/// conjugate gradients with a V-cycle, for time and memory that grow as the number of particles does.
+enum class ProjectionSolver { automatic, direct, iterative };
+
 struct LeastChange {
   double start_residual, residual;  ///< largest violation of a constraint, in units of the spacing
-  int refinements;
+  double largest_change;            ///< of an area vector
+  int refinements;                  ///< solutions, each for what the ones before left
+  int iterations;                   ///< of the conjugate gradients; 0 if direct
+  int levels;                       ///< of the V-cycle; 0 if direct
   Index unknowns;
 };
 
 /// Moves the table onto its constraints by the least weighted change. The normal matrix is singular (every
-/// polynomial of degree 2 is in its null space, and alternating fields on lattices), so it is factorised
-/// (CHOLMOD) with a small multiple of the identity added, and the solution refined until the constraints
-/// themselves are met to round-off.
+/// polynomial of degree 2 is in its null space, and alternating fields on lattices), so it is factorised with
+/// a small multiple of the identity added, or iterated on; and the solution is refined until the constraints
+/// themselves are met to round-off. X: positions [m].
 template <int d>
-LeastChange least_change(AreaTable<d>& table, double volume_weight);
+LeastChange least_change(AreaTable<d>& table, const std::vector<Vec<d>>& X, double volume_weight,
+                         ProjectionSolver solver = ProjectionSolver::automatic);
 
 }  // namespace plumb

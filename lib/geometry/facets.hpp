@@ -8,9 +8,10 @@ namespace plumb {
 /// A flat piece of a body's surface that belongs to one particle: where its Voronoi cell meets the surface.
 template <int d>
 struct Facet {
-  Index owner;      ///< particle number
-  Vec<d> centroid;  ///< [m]
-  Vec<d> area;      ///< outward normal times area [m^(d-1)]; in 1D +1 or -1
+  Index owner;       ///< particle number
+  Vec<d> centroid;   ///< [m]
+  Vec<d> area;       ///< outward normal times area [m^(d-1)]; in 1D +1 or -1
+  double depth = 0;  ///< of the owner below the facet [m]; 0: it lies on this part of the surface
 };
 
 /// Facets of the Voronoi cells on the faces of the box; exact in 1D, voro++ in 2D and 3D. Throws InputError

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "plumbline/geometry/facets.hpp"
 
 namespace plumb {
@@ -32,6 +34,7 @@ std::vector<Facet<d>> lattice_facets(const Cloud<d>& cloud) {
         Facet<d> facet{i, cloud.X[i], Vec<d>::Zero()};
         facet.centroid[k] = cloud.box.origin[k] + (side > 0 ? cloud.box.size[k] : 0.0);
         facet.area[k] = side;
+        facet.depth = std::abs(facet.centroid[k] - cloud.X[i][k]);
         for (int a = 0; a < d; ++a)
           if (a != k) facet.area[k] *= axis_of(cloud, a).share(i / cloud.stride[a] % cloud.count[a]);
         facets.push_back(facet);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plumbline/geometry/shape.hpp"
 #include "plumbline/gradient/catalogue.hpp"
 #include "plumbline/kernel/catalogue.hpp"
 #include "plumbline/material/catalogue.hpp"
@@ -45,7 +46,7 @@ std::vector<std::string> outer_laplacian_names() {
   return {"symmetric", "transpose"};
 }
 std::vector<std::string> shape_names() {
-  return {"box"};
+  return shape_catalogue_names();
 }
 std::vector<std::string> layout_names() {
   return {"cell", "node", "mirror"};

@@ -58,12 +58,83 @@ double spacing_of_counts(const Body& body) {
       fits ? fmt::format("use {}", joined(with_spacing(body, spacings.front()).particles)) : "");
 }
 
+/// The lengths that the shape of that name has.
+ShapeLengths read_lengths(const Section& section, const std::string& shape, int dimension) {
+  ShapeLengths lengths;
+  for (const auto& entry : lengths_of_shape(shape)) {
+    if (!entry.required && !section.has(entry.name)) continue;
+    const auto whole = static_cast<std::size_t>(dimension);
+    switch (entry.kind) {
+      case ShapeLength::Kind::length:
+        lengths[entry.name] = {section.number(entry.name, quantity::length, Sign::positive)};
+        break;
+      case ShapeLength::Kind::point:
+        lengths[entry.name] = section.numbers(entry.name, whole, quantity::length);
+        break;
+      case ShapeLength::Kind::direction:
+        lengths[entry.name] = section.numbers(entry.name, whole, quantity::number);
+        break;
+      case ShapeLength::Kind::points:
+        lengths[entry.name] = section.numbers(entry.name, 0, quantity::length);
+        break;
+    }
+  }
+  return lengths;
+}
+
+/// Calls make<dimension>(), and gives its InputError the section's place.
+template <class Make>
+void at_section(const Section& section, int dimension, Make&& make) {
+  try {
+    if (dimension == 2) make.template operator()<2>();
+    if (dimension == 3) make.template operator()<3>();
+  } catch (const InputError& error) {
+    section.fail("shape", error.problem(), error.why(), error.suggestion());
+  }
+}
+
+ShapeChoice read_hole(const Section& section, int dimension) {
+  ShapeChoice hole{section.choice_or("shape", "ball", shape_names()), {}};
+  hole.lengths = read_lengths(section, hole.name, dimension);
+  at_section(section, dimension, [&]<int d>() { shape_named<d>(hole.name, hole.lengths); });
+  section.reject_unknown();
+  return hole;
+}
+
+void read_box(const Section& section, Body& body, int dimension) {
+  body.size = section.numbers("size", static_cast<std::size_t>(dimension), quantity::length, Sign::positive);
+  const int given = static_cast<int>(body.size.size());
+  if (given != 2 && given != 3)
+    section.fail("size", fmt::format("{} values", given), "a body has 2 or 3 dimensions");
+  body.origin.assign(body.size.size(), 0.0);
+  if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
+}
+
+/// Shapes other than boxes: origin and size become those of the box around.
+void read_shape(const Section& section, Body& body, int dimension) {
+  if (dimension == 0)
+    section.fail("shape", fmt::format("\"{}\" in a study", body.shape),
+                 "the body of a study is the domain of its solution", "leave it out");
+  body.lengths = read_lengths(section, body.shape, dimension);
+  at_section(section, dimension, [&]<int d>() {
+    const Box<d> box = shape_named<d>(body.shape, body.lengths).box;
+    if (!box.size.allFinite())
+      throw InputError(fmt::format("a body of shape \"{}\"", body.shape), "it has no bounds",
+                       "use it as a [[body.hole]] that cuts another shape");
+    body.origin.assign(box.origin.data(), box.origin.data() + d);
+    body.size.assign(box.size.data(), box.size.data() + d);
+  });
+}
+
 void resolve_lattice(const Section& section, Body& body, int dimension) {
   const auto spacing = section.optional_number("spacing", quantity::length, Sign::positive);
   const bool counted = section.has("particles");
   if (!spacing && !counted)
     section.fail("spacing", "missing key", "the body has neither spacing nor particles",
                  "add spacing = .. or particles = [..]");
+  if (counted && body.shape != "box")
+    section.fail("particles", fmt::format("for a body of shape \"{}\"", body.shape),
+                 "they are counted along the edges of a box", "give spacing");
   try {
     std::optional<double> of_counts;
     if (counted) {
@@ -98,30 +169,32 @@ Body with_spacing(Body body, double d) {
     throw InputError("the body is empty",
                      fmt::format("spacing {:.9g} m exceeds its size {} m", d, joined(body.size)),
                      nearest_spacings(body.size, d));
-  if (!divides_all(body.size, d))
+  if (body.shape == "box" && !divides_all(body.size, d))
     throw InputError(fmt::format("spacing {:.9g} m does not divide the size {} m", d, joined(body.size)),
                      "particles would not fill the body", nearest_spacings(body.size, d));
   const long ends = body.layout == Layout::node ? 1 : 0;
   double total = 1.0;
-  for (const double length : body.size) total *= std::round(length / d) + static_cast<double>(ends);
+  for (const double length : body.size) total *= std::ceil(length / d - divides) + static_cast<double>(ends);
   if (total > most_particles)
     throw InputError(fmt::format("{:.3g} particles", total),
                      fmt::format("at most {:.0g} fit", most_particles), "use a larger spacing");
   body.spacing = d;
   body.particles.clear();
-  for (const double length : body.size) body.particles.push_back(std::lround(length / d) + ends);
+  for (const double length : body.size)
+    body.particles.push_back(std::lround(std::ceil(length / d - divides)) + ends);
   return body;
 }
 
 Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
   body.shape = section.choice_or("shape", body.shape, shape_names());
-  body.size = section.numbers("size", static_cast<std::size_t>(dimension), quantity::length, Sign::positive);
+  body.cloud = section.choice_or("cloud", body.cloud, {"lattice", "blue-noise"});
+  if (body.shape == "box")
+    read_box(section, body, dimension);
+  else
+    read_shape(section, body, dimension);
   const int given = static_cast<int>(body.size.size());
-  if (given != 2 && given != 3)
-    section.fail("size", fmt::format("{} values", given), "a body has 2 or 3 dimensions");
-  body.origin.assign(body.size.size(), 0.0);
-  if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
+  for (const Section& hole : section.sections("hole")) body.holes.push_back(read_hole(hole, given));
   const std::string layout = section.choice_or("layout", "node", layout_names());
   body.layout = layout == "cell" ? Layout::cell : layout == "mirror" ? Layout::mirror : Layout::node;
   body.jitter = section.number_or("jitter", body.jitter, quantity::number, Sign::not_negative);

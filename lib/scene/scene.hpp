@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/geometry/layout.hpp"
+#include "plumbline/geometry/shape.hpp"
 #include "plumbline/scene/expression.hpp"
 
 /// The scene file as plain values, in SI units. A section that is left out is a thing that is not built:
@@ -13,15 +13,25 @@
 /// (read_scene.hpp).
 namespace plumb {
 
-/// [body]: a lattice of particles that fills a shape.
+/// A shape of the catalogue (geometry/shapes) with its lengths [m].
+struct ShapeChoice {
+  std::string name;
+  ShapeLengths lengths;
+};
+
+/// [body]: particles that fill a shape.
 struct Body {
-  std::string shape = "box";   ///< "box" is the only shape so far
-  std::vector<double> origin;  ///< [m] lowest corner; default: zeros
-  std::vector<double> size;    ///< [m] edge lengths; as many as the dimension
+  std::string shape = "box";       ///< a name of the catalogue
+  ShapeLengths lengths;            ///< [m] of a shape other than a box
+  std::vector<ShapeChoice> holes;  ///< [[body.hole]]: what is taken off the shape
+  std::string cloud = "lattice";   ///< lattice | blue-noise: random points that keep a distance
+  std::vector<double>
+      origin;  ///< [m] lowest corner; default: zeros. Shapes other than boxes: of the box around
+  std::vector<double> size;  ///< [m] edge lengths; as many as the dimension. Likewise
   std::optional<double>
       spacing;  ///< d [m], equal in all directions. A scene that was read always has it; a study has none
-  std::vector<long>
-      particles;  ///< particles along each edge (node: cells + 1). A scene that was read always has them
+  std::vector<long> particles;  ///< particles along each edge (node: cells + 1), at most if the shape is not
+                                ///< a box. A scene that was read always has them
   Layout layout =
       Layout::node;  ///< node: boundary conditions act where they are stated; cell is first order only there
   double jitter = 0.0;     ///< random displacement of interior particles, as a fraction of d, in [0, 0.5)
@@ -44,6 +54,8 @@ struct MaterialChoice {
 struct Compatible {
   std::string start = "improved";   ///< standard | improved: the table that is projected
   std::string volumes = "unknown";  ///< unknown | fixed: volumes found with the area vectors, or Voronoi's
+  std::string surface = "shape";    ///< shape | estimated: the body's own, or one guessed from the particles
+  std::string cache;                ///< folder of tables that were projected before; empty: none is kept
 };
 
 /// [method]: the scheme. The defaults are the ones method.md proposes for users: the adjoint force needs no

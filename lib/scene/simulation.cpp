@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/compatible/compatible.hpp"
+#include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/compatible/consistent_force.hpp"
 #include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/geometry/clipped_cells.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
 #include "plumbline/projection/angular_momentum.hpp"
 #include "plumbline/scene/warnings.hpp"
@@ -37,7 +38,13 @@ Vec<d> evaluate_at(const std::vector<Expression>& expressions, const Vec<d>& X) 
 
 template <int d>
 std::vector<Index> supported_particles(const Cloud<d>& cloud, const Boundary& boundary, Layout layout) {
-  if (boundary.face) return particles_on_face(cloud, boundary.face->axis, boundary.face->side > 0, layout);
+  if (boundary.face) {
+    auto found = particles_on_face(cloud, boundary.face->axis, boundary.face->side > 0, layout);
+    if (found.empty())
+      throw InputError("no particle lies on a face that a boundary names",
+                       "it is a face of the box around the body", "use where = \"..\"");
+    return found;
+  }
   auto found =
       particles_where<d>(cloud, [&](const Vec<d>& X) { return boundary.where->holds_at(in_space(X)); });
   if (found.empty())
@@ -99,10 +106,23 @@ void require_progress(double dt, const Scene& scene) {
                      "use a larger cfl or time_step, or an earlier end");
 }
 
+/// Of a whole box without the rounding of a sum.
+template <int d>
+Vec<d> centre_of_mass(const Cloud<d>& cloud, const Body& body) {
+  if (body.shape == "box" && body.holes.empty()) return cloud.box.origin + 0.5 * cloud.box.size;
+  Vec<d> moment = Vec<d>::Zero();
+  double volume = 0;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    moment += cloud.V[i] * cloud.X[i];
+    volume += cloud.V[i];
+  }
+  return moment / volume;
+}
+
 template <int d>
 void set_initial_velocity(const Solid<d>& solid, const Scene& scene, State<d>& state) {
   if (!scene.initial) return;
-  const Vec<d> centre = solid.cloud.box.origin + 0.5 * solid.cloud.box.size;
+  const Vec<d> centre = centre_of_mass(solid.cloud, scene.body);
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     const Vec<d>& X = solid.cloud.X[i];
     Vec<d> v = Vec<d>::Zero();
@@ -147,20 +167,24 @@ bool needs_surface(const Method& method) {
   return method.gradient == "compatible" || method.momentum == "variational";
 }
 
-InputError unknown_surface(const std::string& what) {
-  return InputError(what + " on these particles",
-                    "the surface of their shape is not known: they do not lie on it",
-                    "use particles on the boundary (layout = \"node\") or another method");
-}
-
 template <int d>
-void make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
-                        const std::optional<Surface<d>>& surface) {
-  if (!surface) throw unknown_surface("gradient = \"compatible\"");
+std::shared_ptr<CompatibleReport> make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
+                                                     const Surface<d>& surface) {
   CompatibleOptions<d> how;
   if (compatible.volumes == "fixed") how.volume_weight = 0;
-  how.surface = [surface](const Cloud<d>&) { return *surface; };
-  project_compatible(options, how);
+  how.cache = compatible.cache;
+  how.surface = [surface](const Cloud<d>&) { return surface; };
+  const auto report = std::make_shared<CompatibleReport>();
+  project_compatible(options, how, report);
+  return report;
+}
+
+/// The surface that the particles themselves suggest; their volumes become those of the cells that it cuts.
+template <int d>
+Surface<d> guess_surface(Cloud<d>& cloud) {
+  const Shape<d> shape = shape_around(cloud);
+  cloud.V = clipped_cells<d>(cloud.X, shape).volume;
+  return clipped_surface<d>(cloud, shape);
 }
 
 double damping_limit(const Scene& scene) {
@@ -176,17 +200,6 @@ void add_jst(Simulation<d>& simulation, const Scene& scene) {
 }
 
 }  // namespace
-
-template <int d>
-Cloud<d> make_cloud(const Body& body) {
-  Box<d> box;
-  for (int k = 0; k < d; ++k) {
-    box.origin[k] = body.origin.empty() ? 0.0 : body.origin[k];
-    box.size[k] = body.size[k];
-  }
-  Cloud<d> cloud = lattice<d>(box, cells_of<d>(box, *body.spacing), body.layout);
-  return body.jitter > 0 ? jittered<d>(std::move(cloud), body.jitter, body.seed, body.layout) : cloud;
-}
 
 template <int d>
 BondOptions<d> bond_options(const Scene& scene, double spacing) {
@@ -211,20 +224,27 @@ template <int d>
 Simulation<d> make_simulation(const Scene& scene) {
   Cloud<d> cloud = make_cloud<d>(scene.body);
   std::optional<Surface<d>> surface;
-  if (needs_surface(scene.method)) surface = box_surface(cloud);
+  if (needs_surface(scene.method) && scene.method.compatible.surface == "shape")
+    surface = surface_of<d>(scene.body, cloud);
   return make_simulation<d>(scene, std::move(cloud), surface);
 }
 
 template <int d>
-Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::optional<Surface<d>>& surface) {
+Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
   const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
-  if (scene.method.gradient == "compatible") make_it_compatible(options, scene.method.compatible, surface);
-  if (scene.method.momentum == "variational") {
-    if (!surface) throw unknown_surface("momentum = \"variational\"");
-    make_force_consistent(options, cloud, *surface);
-  }
   Simulation<d> simulation;
+  std::vector<std::string> warnings;
+  if (needs_surface(scene.method) && !surface) {
+    surface = guess_surface(cloud);
+    warnings.push_back(
+        fmt::format("the surface is estimated from the particles, at about half a spacing beyond them: "
+                    "volume {:.6g} m^{}",
+                    surface->volume, d));
+  }
+  if (scene.method.gradient == "compatible")
+    simulation.compatible = make_it_compatible(options, scene.method.compatible, *surface);
+  if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
   simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
   simulation.state = make_state(simulation.solid);
   simulation.control = step_control(scene);
@@ -242,6 +262,7 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, const std::opt
       warnings_of<d>(scene, simulation.solid,
                      {step, crossing_time(simulation.solid, simulation.state, simulation.control.wave_speed),
                       damping_limit(scene)});
+  simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
   if (!simulation.supports.empty())
     add_term(simulation.solid, support_term(simulation.solid, simulation.supports));
   simulation.stepper = stepper_named<d>(scene.method.integrator, simulation.solid);
@@ -271,14 +292,12 @@ std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation) {
   return arrays;
 }
 
-template Cloud<2> make_cloud<2>(const Body&);
-template Cloud<3> make_cloud<3>(const Body&);
 template BondOptions<2> bond_options<2>(const Scene&, double);
 template BondOptions<3> bond_options<3>(const Scene&, double);
 template Simulation<2> make_simulation<2>(const Scene&);
 template Simulation<3> make_simulation<3>(const Scene&);
-template Simulation<2> make_simulation<2>(const Scene&, Cloud<2>, const std::optional<Surface<2>>&);
-template Simulation<3> make_simulation<3>(const Scene&, Cloud<3>, const std::optional<Surface<3>>&);
+template Simulation<2> make_simulation<2>(const Scene&, Cloud<2>, std::optional<Surface<2>>);
+template Simulation<3> make_simulation<3>(const Scene&, Cloud<3>, std::optional<Surface<3>>);
 template std::vector<ArrayEntry> arrays_of<2>(const Simulation<2>&);
 template std::vector<ArrayEntry> arrays_of<3>(const Simulation<3>&);
 

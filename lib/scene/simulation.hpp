@@ -1,9 +1,10 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "plumbline/boundary/supports.hpp"
-#include "plumbline/compatible/boundary_vectors.hpp"
+#include "plumbline/compatible/compatible.hpp"
 #include "plumbline/dissipation/jst.hpp"
 #include "plumbline/scene/scene.hpp"
 #include "plumbline/solid/run.hpp"
@@ -18,8 +19,17 @@ struct Simulation {
   Stepper<d> stepper;
   StepControl control;
   std::vector<Support<d>> supports;
-  std::vector<std::string> warnings;  ///< for people: settings that work but may surprise
+  std::vector<std::string> warnings;                   ///< for people: settings that work but may surprise
+  std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
 };
+
+/// The shape of [body] less its holes.
+template <int d>
+Shape<d> shape_of(const Body& body);
+
+/// The surface of [body] around its particles.
+template <int d>
+Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
 
 /// Particles of [body].
 template <int d>
@@ -33,11 +43,11 @@ BondOptions<d> bond_options(const Scene& scene, double spacing);
 template <int d>
 Simulation<d> make_simulation(const Scene& scene);
 
-/// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface, and
-/// InputError is thrown if it is not given.
+/// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface; if it is
+/// not given it is estimated from the particles (shape_around), with a warning.
 template <int d>
 Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud,
-                              const std::optional<Surface<d>>& surface = std::nullopt);
+                              std::optional<Surface<d>> surface = std::nullopt);
 
 /// One array of a simulation, for `plumb explain` and memory figures.
 struct ArrayEntry {

@@ -186,9 +186,12 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Compatible bonds: what the papers' schemes lack on irregular clouds.
-SectionPlan compatible_bonds(bool) {
+SectionPlan compatible_bonds(bool long_run) {
   SectionPlan plan{250, "compatible", "Compatible bonds: irregular particles", {}, write};
-  for (const auto& v : plates()) plan.jobs.push_back(job_of(v, {"static", plate_file}, plate_file));
+  for (auto v : plates()) {
+    if (long_run) v.set.push_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
+    plan.jobs.push_back(job_of(v, {"static", plate_file}, plate_file));
+  }
   for (const auto& v : twists())
     plan.jobs.push_back(job_of(v, {"run", twist_file, "--out", "{out}"}, twist_file));
   return plan;

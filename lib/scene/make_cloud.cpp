@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include "plumbline/compatible/clipped_surface.hpp"
+#include "plumbline/geometry/shaped_cloud.hpp"
+#include "plumbline/scene/simulation.hpp"
+
+namespace plumb {
+namespace {
+
+template <int d>
+Box<d> box_of(const Body& body) {
+  Box<d> box;
+  for (int k = 0; k < d; ++k) {
+    box.origin[k] = body.origin.empty() ? 0.0 : body.origin[k];
+    box.size[k] = body.size[k];
+  }
+  return box;
+}
+
+}  // namespace
+
+template <int d>
+Shape<d> shape_of(const Body& body) {
+  Shape<d> shape =
+      body.shape == "box" ? Shape<d>{box_of<d>(body), {}} : shape_named<d>(body.shape, body.lengths);
+  for (const auto& hole : body.holes)
+    shape = without(std::move(shape), shape_named<d>(hole.name, hole.lengths));
+  return shape;
+}
+
+template <int d>
+Cloud<d> make_cloud(const Body& body) {
+  const Shape<d> shape = shape_of<d>(body);
+  const bool whole_lattice = !shape.clip && body.cloud == "lattice";
+  if (body.layout == Layout::mirror && !whole_lattice)
+    throw InputError("layout = \"mirror\" for a shape with holes or curves, or for blue noise",
+                     "images are reflected at the faces of a box that a lattice fills", "use node or cell");
+  if (!whole_lattice)
+    return shaped_cloud<d>(shape,
+                           {*body.spacing, body.layout, body.cloud == "blue-noise", body.jitter, body.seed});
+  Cloud<d> cloud = lattice<d>(shape.box, cells_of<d>(shape.box, *body.spacing), body.layout);
+  return body.jitter > 0 ? jittered<d>(std::move(cloud), body.jitter, body.seed, body.layout) : cloud;
+}
+
+template <int d>
+Surface<d> surface_of(const Body& body, const Cloud<d>& cloud) {
+  const Shape<d> shape = shape_of<d>(body);
+  return shape.clip ? clipped_surface<d>(cloud, shape) : box_surface<d>(cloud);
+}
+
+template Shape<2> shape_of<2>(const Body&);
+template Shape<3> shape_of<3>(const Body&);
+template Cloud<2> make_cloud<2>(const Body&);
+template Cloud<3> make_cloud<3>(const Body&);
+template Surface<2> surface_of<2>(const Body&, const Cloud<2>&);
+template Surface<3> surface_of<3>(const Body&, const Cloud<3>&);
+
+}  // namespace plumb
