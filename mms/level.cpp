@@ -11,6 +11,7 @@
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
 #include "mms/mirrored.hpp"
+#include "mms/pace.hpp"
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
 
@@ -183,8 +184,9 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.d = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
+  const Pace<d> pace(sitting, simulation);
   const RunResult result = run<d>(solid, simulation.state, body.stepper, simulation.control,
-                                  [&](const Solid<d>&, const State<d>&) { return sitting.check(), true; });
+                                  [&](const Solid<d>&, const State<d>&) { return pace.tell(), true; });
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;

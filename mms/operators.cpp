@@ -145,11 +145,12 @@ template <int d>
 OperatorResult run_in(const Study& study, const StudyProgress& progress) {
   const Manufactured<d> solution = solution_of<d>(study);
   OperatorResult result;
+  double work = 0, done = 0;  // in particles
+  for (const double spacing : study.spacings) work += std::pow(spacing, -d);
   for (const double spacing : study.spacings) {
     result.levels.push_back(level_of<d>(study, solution, spacing));
-    if (progress)
-      progress(static_cast<double>(result.levels.size()) / static_cast<double>(study.spacings.size()),
-               fmt::format("d = {:g} m", spacing));
+    done += std::pow(spacing, -d);
+    if (progress) progress(done / work, fmt::format("d = {:g} m", spacing));
   }
   for (std::size_t k = 0; k < operator_names.size(); ++k)
     for (std::size_t part = 0; part < part_names.size(); ++part)

@@ -47,11 +47,6 @@ double value_of(const ErrorNorms& nodal, const std::optional<ErrorNorms>& gauss,
   throw unknown_name("norm", norm, {});
 }
 
-/// Relative work of a level: particles times steps.
-double work_of(const Study& study, double spacing) {
-  return std::pow(spacing, -study.dimension() - 1);
-}
-
 /// Difference to the run with the finite-strain body force; zero where that is the run itself, or where one
 /// broke.
 template <int d>
@@ -75,7 +70,8 @@ Sitting::Json make_level(const Study& study, const Manufactured<d>& solution, do
   Sitting::Json made{{"level", json_of(run.level)}};
   if (!with_floor) return made;
   LevelRun<d> floor = modelling_error<d>(study, solution, run, sitting);
-  measure<d>(study, [](const Vec<d>&) { return PointValue<d>{}; }, floor);
+  measure<d>(
+      study, [](const Vec<d>&) { return PointValue<d>{}; }, floor);
   made["floor"] = json_of(floor.level);
   return made;
 }
@@ -84,21 +80,19 @@ template <int d>
 StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const bool loaded = study.force == "finite-strain";
-  double total = 0, done = 0;
-  for (const double spacing : study.spacings) total += work_of(study, spacing);
+  double work = 0;
+  for (const double spacing : study.spacings) work += work_of(study, spacing);
+  sitting.tell(work, progress, "pair evaluations");
 
   StudyResult result;
   StudyLevel floor;  // norms of the modelling error
   const std::size_t floor_level = std::min<std::size_t>(1, study.spacings.size() - 1);
   for (const double spacing : study.spacings) {
     const bool with_floor = result.levels.size() == floor_level;
-    const auto part = sitting.part(fmt::format("level {}", spacing), [&] {
-      return make_level<d>(study, solution, spacing, with_floor, sitting);
-    });
+    const auto make = [&] { return make_level<d>(study, solution, spacing, with_floor, sitting); };
+    const auto part = sitting.part(fmt::format("d = {} m", spacing), make, work_of(study, spacing));
     if (with_floor) floor = level_of(part["floor"]);
     result.levels.push_back(level_of(part["level"]));
-    done += work_of(study, spacing);
-    if (progress) progress(done / total, fmt::format("d = {:g} m", spacing));
   }
   for (const std::string& norm : norms_of(study))
     result.fits.push_back(fit_norm(study, norm, result.levels, floor));
@@ -141,6 +135,15 @@ double norm_of(const StudyLevel& level, const std::string& norm) {
 
 double size_of(const StudyLevel& level, const std::string& norm) {
   return value_of(level.exact, level.exact_gauss, norm);
+}
+
+double work_of(const Study& study, double spacing) {
+  int evaluations = 1;
+  for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) {
+    if (T::name == study.method.integrator) evaluations = T::template Stepper<2>::evaluations_per_step;
+  });
+  const double step = study.method.cfl.value_or(1);
+  return evaluations / step * std::pow(spacing, -study.dimension() - (study.method.cfl ? 1 : 0));
 }
 
 StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {

@@ -25,8 +25,8 @@ struct StudyResult {
   std::vector<std::string> notes;
 };
 
-/// Called after each level with the share of the work that is done.
-using StudyProgress = std::function<void(double fraction, const std::string& note)>;
+/// Called now and then with the share of the work that is done.
+using StudyProgress = Sitting::Listener;
 
 /// Runs every level and judges the orders. With force = "none" the difference to the run with the
 /// finite-strain body force is measured on the second level: it is the modelling floor, which no refinement
@@ -38,6 +38,9 @@ inline StudyResult run_study(const Study& study, const StudyProgress& progress =
   Sitting whole;
   return run_study(study, progress, whole);
 }
+
+/// Work of a level relative to that of another level or method: particles times evaluations.
+double work_of(const Study& study, double spacing);
 
 /// Status of a study from its fits, as in StudyResult.
 std::string status_of(const std::vector<StudyFit>& fits);

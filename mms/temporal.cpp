@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "mms/pace.hpp"
 #include "plumbline/time/catalogue.hpp"
 
 namespace plumb::mms {
@@ -50,6 +51,23 @@ NodalValues<d> values_of(const Sitting::Json& numbers) {
   return values;
 }
 
+/// Work of so many steps, relative.
+double work_of(std::string_view integrator, long steps) {
+  double evaluations = 3;  // of the scheme as printed too
+  for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) {
+    if (T::name == integrator) evaluations = T::template Stepper<2>::evaluations_per_step;
+  });
+  return evaluations * static_cast<double>(steps);
+}
+
+/// Work of the whole study: of every integrator, of (30) as printed, and of the reference.
+double work_of(const Study& study, long first_steps, long reference_steps) {
+  const long steps = first_steps * ((2L << halvings) - 1);  // 1 + 2 + 4 ..
+  double work = work_of("rk3", reference_steps);
+  for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) { work += work_of(T::name, steps); });
+  return study.force == "finite-strain" ? work + work_of(printed, steps) : work;
+}
+
 /// The field after so many steps of the integrator of that name.
 template <int d>
 LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::string_view integrator, long steps,
@@ -63,8 +81,9 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   if (as_printed) freeze_loads(body);
   Simulation<d>& simulation = body.simulation;
   const auto make = [&] {
+    const Pace<d> pace(sitting, simulation);
     const RunResult result = run<d>(simulation.solid, simulation.state, body.stepper, simulation.control,
-                                    [&](const Solid<d>&, const State<d>&) { return sitting.check(), true; });
+                                    [&](const Solid<d>&, const State<d>&) { return pace.tell(), true; });
     if (!result.completed())
       throw InputError(
           "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
@@ -72,7 +91,8 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
     return json_of<d>(nodal_values<d>(simulation.solid, simulation.state, solution.first_piola));
   };
   LevelRun<d> out;
-  out.values = values_of<d>(sitting.part(fmt::format("{}, {} steps", integrator, steps), make));
+  out.values = values_of<d>(
+      sitting.part(fmt::format("{}, {} steps", integrator, steps), make, work_of(integrator, steps)));
   out.cloud = std::move(simulation.solid.cloud);
   return out;
 }
@@ -98,13 +118,14 @@ TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std:
 }
 
 template <int d>
-TemporalResult run_in(const Study& study, Sitting& sitting) {
+TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
   const double end = end_time(study);
   const auto first_steps =
       static_cast<long>(std::ceil(2 * end * elastic.wave_speed() / study.spacings.front()));
   const long reference_steps = first_steps << (halvings + 2);
+  sitting.tell(work_of(study, first_steps, reference_steps), progress, "pair evaluations");
   const LevelRun<d> reference = field_after<d>(study, solution, "rk3", reference_steps, sitting);
   const ExactField<d> exact = exact_field<d>(solution, end),
                       zero = [](const Vec<d>&) { return PointValue<d>{}; };
@@ -130,9 +151,9 @@ TemporalResult run_in(const Study& study, Sitting& sitting) {
 
 }  // namespace
 
-TemporalResult run_temporal(const Study& study, Sitting& sitting) {
-  if (study.dimension() == 2) return run_in<2>(study, sitting);
-  if (study.dimension() == 3) return run_in<3>(study, sitting);
+TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
+  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
   throw InputError("a study of the time step in one dimension", "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }

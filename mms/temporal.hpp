@@ -28,11 +28,11 @@ struct TemporalResult {
 /// a quarter of the finest step on the same cloud, so that space does not enter. Six steps, each half of the
 /// one before; the first is half of d over C_p. Also (30) as printed, with the loads of all stages at t^n.
 /// The field of each run is a part of the sitting; throws SittingEnded if that ends.
-TemporalResult run_temporal(const Study& study, Sitting& sitting);
+TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting);
 /// The same in one sitting.
 inline TemporalResult run_temporal(const Study& study) {
   Sitting whole;
-  return run_temporal(study, whole);
+  return run_temporal(study, {}, whole);
 }
 
 }  // namespace plumb::mms

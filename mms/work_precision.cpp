@@ -43,8 +43,9 @@ void run_once(const Variant& variant, int turn, WorkPoint& point, Sitting& sitti
     return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.d, turn == 0, sitting)
                                           : make_run<3>(variant.study, point.d, turn == 0, sitting);
   };
-  count(sitting.part(fmt::format("turn {}, {}, d = {}", turn, variant.label, point.d), make), point,
-        turn == 0);
+  const auto part = sitting.part(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.d), make,
+                                 work_of(variant.study, point.d));
+  count(part, point, turn == 0);
 }
 
 using CostAndError = std::pair<double, double>;
@@ -103,8 +104,11 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
 }
 
 WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
-                             const std::vector<double>& errors, Sitting& sitting) {
+                             const std::vector<double>& errors, const StudyProgress& progress,
+                             Sitting& sitting) {
   WorkPrecision result;
+  const int turns = 1 + std::max(1, repeats);
+  double work = 0;
   for (std::size_t v = 0; v < variants.size(); ++v) {
     result.labels.push_back(variants[v].label);
     for (const double d : variants[v].study.spacings) {
@@ -112,9 +116,11 @@ WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
       point.variant = v;
       point.d = d;
       result.points.push_back(point);
+      work += turns * work_of(variants[v].study, d);
     }
   }
-  for (int turn = 0; turn <= std::max(1, repeats); ++turn)
+  sitting.tell(work, progress, "pair evaluations");
+  for (int turn = 0; turn < turns; ++turn)
     for (WorkPoint& point : result.points) run_once(variants[point.variant], turn, point, sitting);
   for (const bool cpu : {true, false}) {
     mark_front(result, cpu);

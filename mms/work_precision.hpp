@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mms/study.hpp"
 #include "plumbline/output/sitting.hpp"
 #include "plumbline/scene/study.hpp"
 
@@ -47,12 +48,13 @@ struct WorkPrecision {
 /// the coarsest level's costs what that level costs. Each run is a part of the sitting; throws SittingEnded
 /// if that ends.
 WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
-                             const std::vector<double>& errors, Sitting& sitting);
+                             const std::vector<double>& errors, const StudyProgress& progress,
+                             Sitting& sitting);
 /// The same in one sitting.
 inline WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
                                     const std::vector<double>& errors) {
   Sitting whole;
-  return work_precision(variants, repeats, errors, whole);
+  return work_precision(variants, repeats, errors, {}, whole);
 }
 
 /// For points (cost, error): true where no other point is better in one and as good in the other. Entries

@@ -143,7 +143,7 @@ Study refine(const Discretisation& discretisation, const std::vector<Index>& cel
         };
         const auto part = sitting.part(
             fmt::format("{}, {}, {}, n = {}", field.text, method.estimator, name_of(method.pair), all[k].n),
-            make);
+            make, static_cast<double>(all[k].n));
         rows.push_back({all[k].n, all[k].dx(), R, field.text, method.estimator, method.pair, norms_of(part),
                         part["cpu_s"]});
       }

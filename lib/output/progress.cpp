@@ -16,6 +16,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
+std::optional<double> seconds_left(double elapsed, double fraction, double before) {
+  if (!(fraction > before)) return std::nullopt;
+  return elapsed * (1 - fraction) / (fraction - before);
+}
+
 Progress::Style Progress::style_for_stderr(bool quiet) {
   if (quiet) return Style::none;
   return ::isatty(STDERR_FILENO) != 0 ? Style::bar : Style::lines;
@@ -29,18 +34,18 @@ Progress::Progress(std::string label, Style style, std::FILE* stream)
       next_(style == Style::bar ? 0.2 : 2),
       interval_(style == Style::bar ? 0.1 : 2) {}
 
-void Progress::update(double fraction, const std::string& note) {
+void Progress::update(double fraction, const std::string& note, double before) {
   if (style_ == Style::none) return;
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   if (elapsed < next_) return;
   if (style_ == Style::lines) interval_ = std::min(2 * interval_, 60.0);
   next_ = elapsed + interval_;
-  draw(std::clamp(fraction, 0.0, 1.0), elapsed, note);
+  draw(std::clamp(fraction, 0.0, 1.0), elapsed, note, before);
 }
 
-void Progress::draw(double fraction, double elapsed, const std::string& note) {
-  const std::string left =
-      fraction > 0 ? duration_text(elapsed * (1 - fraction) / fraction) + " left" : "time left unknown";
+void Progress::draw(double fraction, double elapsed, const std::string& note, double before) {
+  const auto seconds = seconds_left(elapsed, fraction, before);
+  const std::string left = seconds ? duration_text(*seconds) + " left" : "time left unknown";
   const std::string tail = note.empty() ? "" : ", " + note;
   if (style_ == Style::bar) {
     constexpr int cells = 30;

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace plumb {
@@ -20,14 +21,15 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `fraction` done, in [0, 1]; cheap enough to be called every step. `note` is appended ("t = 0.2 s").
-  void update(double fraction, const std::string& note = {});
+  /// `fraction` done, in [0, 1], of which `before` was there at the start (a run that goes on); cheap enough
+  /// to be called every step. `note` is appended ("t = 0.2 s").
+  void update(double fraction, const std::string& note = {}, double before = 0);
   /// Ends the bar's line. Called by the destructor.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw(double fraction, double elapsed, const std::string& note);
+  void draw(double fraction, double elapsed, const std::string& note, double before);
 
   std::string label_;
   Style style_;
@@ -40,5 +42,9 @@ class Progress {
 
 /// "1.2 s", "3 min 20 s", "2 h 05 min": a duration for people. `seconds` >= 0.
 std::string duration_text(double seconds);
+
+/// Time that is left [s] when `elapsed` [s] took the work from the fraction `before` to `fraction`, at the
+/// same rate; nothing while there is no rate.
+std::optional<double> seconds_left(double elapsed, double fraction, double before);
 
 }  // namespace plumb

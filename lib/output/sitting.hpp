@@ -22,6 +22,8 @@ class SittingEnded : public std::runtime_error {
 class Sitting {
  public:
   using Json = nlohmann::ordered_json;
+  /// Told the share of this sitting's work that is done, and a note: the part at hand and the rate.
+  using Listener = std::function<void(double fraction, const std::string& note)>;
 
   /// Keeps nothing and is never ended.
   Sitting() = default;
@@ -29,17 +31,35 @@ class Sitting {
   /// that decides the results: parts of other content are not taken. `go_on` is asked before every part.
   Sitting(std::filesystem::path folder, std::string content, std::function<bool()> go_on);
 
+  /// From now on tells the listener how far it is: at the end of every part, and where a loop calls check().
+  /// `whole` is the work of all parts; what earlier sittings made takes no time and does not count. `unit` is
+  /// that of the rates that check() gets.
+  void tell(double whole, Listener listener, std::string unit = "");
   /// The part of that name: of an earlier sitting, or made now. Throws SittingEnded if it would have to be
   /// made and the sitting is to end; its text says what was kept and where, or why it could not be.
-  Json part(const std::string& name, const std::function<Json()>& make);
-  /// For the loops inside a part: throws SittingEnded if the sitting is to end.
-  void check();
+  /// `work` is its share of what tell() was told.
+  Json part(const std::string& name, const std::function<Json()>& make, double work = 1);
+  /// For the loops inside a part: throws SittingEnded if the sitting is to end. `done` is the share of the
+  /// part that is behind and `rate` how fast it goes, per second; they count where parts are made one at a
+  /// time.
+  void check(double done = 0, double rate = 0);
   /// Parts taken from earlier sittings so far.
   int recalled() const { return recalled_; }
   /// The study is whole: what was kept is removed.
   void close();
 
  private:
+  /// Where the listener is told from: the part being made, and the work around it.
+  struct Work {
+    Listener listener;
+    std::string unit, part;
+    double whole = 0, made = 0, at_hand = 0;
+    double done = 0, rate = 0;  ///< of the part at hand
+    std::chrono::steady_clock::time_point said;
+  };
+
+  Json make_part(const std::string& name, const std::function<Json()>& make, double work);
+  void say();
   void try_to_save();
 
   std::filesystem::path file_;
@@ -49,6 +69,7 @@ class Sitting {
   std::string problem_;                       ///< of the last attempt to save
   std::mutex mutex_;
   int recalled_ = 0;
+  Work work_;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
 };
 

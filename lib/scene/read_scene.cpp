@@ -41,6 +41,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   for (const char* name : {"scene", "body", "material", "method", "compatible", "jst", "hourglass",
                            "projection", "initial", "boundary", "output"})
     root.has(name);
+  if (!root.has("scene") && root.has("study"))
+    root.fail("study", "this file is a study", "a scene has [scene]", "plumb mms is for studies");
   root.reject_unknown();
   Scene scene;
   const Section head = root.section("scene");

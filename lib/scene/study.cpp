@@ -63,6 +63,8 @@ Study parse_study(const std::string& text, const std::string& file_name,
   const Section root(document, "");
   for (const char* name : {"study", "expect", "body", "material", "method", "compatible", "jst", "hourglass"})
     root.has(name);
+  if (!root.has("study") && root.has("scene"))
+    root.fail("scene", "this file is a scene", "a study has [study]", "plumb run is for scenes");
   root.reject_unknown();
   Study study;
   const Section head = root.section("study");

@@ -78,6 +78,17 @@ TEST(Explain, SaysWhatWasLeftOutAndWhatThatSaves) {
   EXPECT_EQ(cost_of(with, "dissipation (jst)")["bytes_per_particle"], jst["bytes_per_particle"]);
 }
 
+TEST(Explain, SaysWhatItIsForWhenItEndsAndWhatItWrites) {
+  const json column = explained("bending-column", "--set scene.max_steps=7");
+  EXPECT_NE(column["shows"].get<std::string>(), "");
+  EXPECT_EQ(about(column, "ends")["text"], "at t = 0.5 s, or after 7 steps");
+  const auto writes = about(column, "writes")["text"].get<std::string>();
+  EXPECT_NE(writes.find("energies and momenta against time"), std::string::npos) << writes;
+  EXPECT_NE(writes.find("every 0.01 s"), std::string::npos) << writes;
+  EXPECT_NE(about(explained("free_cube"), "writes")["text"].get<std::string>().find("a summary only"),
+            std::string::npos);
+}
+
 TEST(Explain, SaysWhyTheStepIsWhatItIs) {
   const auto reason = [](const std::string& changes) {
     return explained("free_plate", changes)["dt_reason"]["text"].get<std::string>();

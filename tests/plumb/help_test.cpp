@@ -67,6 +67,12 @@ TEST(Help, EveryCommandHasAnExampleThatRuns) {
   }
 }
 
+/// "plumb oned" without a member is a question: the answer is its help.
+TEST(Help, AGroupAloneSaysWhatItsHelpSays) {
+  for (const char* group : {"oned", "new", "completion"})
+    EXPECT_EQ(run_plumb(group).out, run_plumb(std::string(group) + " --help").out);
+}
+
 TEST(Help, WhatToTryFirstWorksInOrderInAnEmptyFolder) {
   const test::TemporaryFolder folder;
   std::filesystem::create_symlink(PLUMB_EXECUTABLE, folder / "plumb");

@@ -44,6 +44,17 @@ TEST(New, AStudyRunsAndTheOrderThatItDeclaresComesOut) {
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["status"], "pass");
 }
 
+/// Who takes one for the other is told so.
+TEST(New, ASceneIsNoStudy) {
+  const test::TemporaryFolder folder;
+  written("study", folder / "order.toml");
+  written("scene", folder / "first.toml");
+  EXPECT_NE(run_plumb("run " + (folder / "order.toml").string()).error.find("this file is a study"),
+            std::string::npos);
+  EXPECT_NE(run_plumb("mms " + (folder / "first.toml").string()).error.find("this file is a scene"),
+            std::string::npos);
+}
+
 TEST(New, AddsTheEndingAndNeverOverwrites) {
   const test::TemporaryFolder folder;
   ASSERT_EQ(run_plumb("new scene " + (folder / "mine").string()).code, 0);

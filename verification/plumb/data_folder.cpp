@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include "places.hpp"
 #include "plumbline/core/error.hpp"
 
@@ -18,6 +20,14 @@ std::filesystem::path data_folder(const std::filesystem::path& given) {
   for (const auto& folder : {given, fs::path("."), installed, fs::path(PLUMBLINE_SOURCE_DIR)})
     if (!folder.empty() && fs::exists(folder / "verification" / "scenes")) return fs::canonical(folder);
   return fs::current_path();
+}
+
+std::string what_it_shows(const std::filesystem::path& scene) {
+  std::ifstream in(scene);
+  constexpr std::string_view mark = "# Shows: ";
+  for (std::string line; std::getline(in, line) && line.starts_with('#');)
+    if (line.starts_with(mark)) return line.substr(mark.size());
+  return "";
 }
 
 }  // namespace plumb

@@ -65,6 +65,18 @@ Json json_of(const Study& study, const mms::StudyResult& result) {
   return out;
 }
 
+Json shown(const Json& levels) {
+  Json rows = Json::array();
+  for (const auto& level : levels) {
+    Json row;
+    for (const auto& [key, value] : level.items())
+      if (!key.starts_with("relative_") && drawn(key) && key != "wall_s" && key != "pair_evaluations")
+        row[key] = value;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 Json solutions_json() {
   Json solutions = Json::array();
   for (const auto& entry : mms::solution_list()) {

@@ -10,6 +10,8 @@ namespace plumb {
 
 /// {"study", "solution", "time", "levels", "fits", "notes", "status"} of shared/interface.md.
 nlohmann::ordered_json json_of(const Study& study, const mms::StudyResult& result);
+/// The columns of "levels" that fit a screen: spacing, steps, errors of the displacement, CPU time.
+nlohmann::ordered_json shown(const nlohmann::ordered_json& levels);
 /// The catalogue: name, summary, dimensions, material, parameters with unit and range.
 nlohmann::ordered_json solutions_json();
 /// One object per solution, dimension and material.

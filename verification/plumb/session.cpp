@@ -124,7 +124,7 @@ CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandTex
   group.final_callback([&session, &group] {
     if (!group.get_subcommands().empty()) return;
     session.action = [&group] {
-      std::cout << group.help("plumb " + group.get_name());
+      std::cout << group.help("plumb");
       return 0;
     };
   });

@@ -14,6 +14,14 @@ TEST(Progress, DurationsForPeople) {
   EXPECT_EQ(duration_text(2 * 3600 + 5 * 60), "2 h 05 min");
 }
 
+/// Half of what was missing in 10 s: the other half takes 10 s more, wherever the work began.
+TEST(Progress, TimeLeftCountsFromWhereTheWorkBegan) {
+  EXPECT_DOUBLE_EQ(seconds_left(10, 0.5, 0).value(), 10);
+  EXPECT_DOUBLE_EQ(seconds_left(10, 0.9, 0.8).value(), 10);
+  EXPECT_DOUBLE_EQ(seconds_left(3, 1, 0.5).value(), 0);
+  EXPECT_FALSE(seconds_left(10, 0.8, 0.8)) << "no rate yet";
+}
+
 TEST(Progress, ShortWorkAndQuietWorkPrintNothing) {
   std::FILE* file = std::tmpfile();
   ASSERT_NE(file, nullptr);

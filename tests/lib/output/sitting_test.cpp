@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/support/temporary_folder.hpp"
 
@@ -95,6 +97,38 @@ TEST_F(Sittings, NumbersThatAreNotFiniteAreNaN) {
   const Json part = next.part("part 0", [] { return Json(); });
   EXPECT_TRUE(std::isnan(number_or_nan(part["broken"])));
   EXPECT_EQ(number_or_nan(part["value"]), 1.0 / 3);
+}
+
+/// Two of the parts of work 1 are there: of the rest, a part of work 1 and one of work 3, each quarter is
+/// told.
+TEST_F(Sittings, TheListenerIsToldOfThisSittingsWork) {
+  Sitting next = sitting();
+  std::vector<double> told;
+  std::string last;
+  end_ = 9;
+  next.tell(
+      1 + 1 + 1 + 3,
+      [&](double fraction, const std::string& note) {
+        told.push_back(fraction);
+        last = note;
+      },
+      "steps");
+  for (at_ = 0; at_ < 4; ++at_)
+    next.part(
+        "part " + std::to_string(at_),
+        [&] {
+          if (at_ != 3) return Json();
+          next.check(2.0 / 3, 12);
+          std::this_thread::sleep_for(std::chrono::milliseconds(60));  // longer than at_most_silent
+          next.check(1.0 / 3, 12);                                     // a second run of the same part
+          EXPECT_EQ(last, "part 3, 12 steps/s");
+          return Json();
+        },
+        at_ == 3 ? 3 : 1);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  told.erase(std::unique(told.begin(), told.end()),
+             told.end());  // on a slow machine the first check() tells too
+  EXPECT_EQ(told, (std::vector{0.25, 0.75, 1.0}));
 }
 
 TEST(Sitting, WithoutAFolderNothingIsKeptAndNothingEnds) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/commands.hpp"
+#include "plumb/data_folder.hpp"
 #include "plumb/explain/account.hpp"
 #include "plumb/explain/cost.hpp"
 #include "plumb/explain/tell.hpp"
@@ -55,7 +56,7 @@ Json json_of(const Costs& costs) {
 }
 
 template <int d>
-Json explanation(const Scene& scene, Simulation<d>& simulation) {
+Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& simulation) {
   const auto arrays = arrays_of(simulation);
   const std::size_t bytes = total_bytes(arrays);
   const Index particles = simulation.solid.cloud.size();
@@ -66,6 +67,7 @@ Json explanation(const Scene& scene, Simulation<d>& simulation) {
   for (const auto& statement : account_of(scene, simulation)) solves.push_back(json_of(statement));
   for (const auto& array : arrays) sizes.push_back({{"name", array.name}, {"bytes", array.bytes}});
   Json json{{"scene", scene.name},
+            {"shows", shows},
             {"dimension", d},
             {"particles", particles},
             {"neighbours",
@@ -92,9 +94,9 @@ Json explanation(const Scene& scene, Simulation<d>& simulation) {
 }
 
 template <int d>
-int explain(const Session& session, const Scene& scene) {
+int explain(const Session& session, const Scene& scene, const std::string& shows) {
   Simulation<d> simulation = make_simulation<d>(scene);
-  const Json json = explanation(scene, simulation);
+  const Json json = explanation(scene, shows, simulation);
   tell(session.text(), json);
   session.text() << compatible_text(simulation.compatible.get());
   session.write_json(json);
@@ -108,7 +110,8 @@ void add_explain(CLI::App& program, Session& session) {
   const auto options = std::make_shared<SceneOptions>();
   const auto action = [&session, options] {
     const Scene scene = scene_of(*options);
-    return with_dimension(scene, [&]<int d>() { return explain<d>(session, scene); });
+    const std::string shows = what_it_shows(options->file);
+    return with_dimension(scene, [&]<int d>() { return explain<d>(session, scene, shows); });
   };
   CLI::App& command = add_command(program, session,
                                   {"explain", "what a scene solves, costs and leaves out, without running it",

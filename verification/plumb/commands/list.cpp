@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -15,15 +14,6 @@ namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// What a scene says of itself behind "Shows:", to the end of the line.
-std::string what_it_shows(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  constexpr std::string_view mark = "# Shows: ";
-  for (std::string line; std::getline(in, line) && line.starts_with('#');)
-    if (line.starts_with(mark)) return line.substr(mark.size());
-  return "";
-}
 
 Json scenes_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;

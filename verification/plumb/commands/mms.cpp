@@ -11,6 +11,7 @@
 #include "plumb/mms_output.hpp"
 #include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/output/table.hpp"
 
 namespace plumb {
 namespace {
@@ -79,8 +80,11 @@ auto in_one_sitting(const Session& session, const MmsOptions& options, const std
 
 int temporal(const Session& session, const MmsOptions& options) {
   const Study study = read_study(options.studies.front(), options.overrides, solution_names());
-  const auto result = in_one_sitting(session, options, "temporal",
-                                     [&](Sitting& sitting) { return mms::run_temporal(study, sitting); });
+  Progress progress(study.name, session.progress());
+  const auto result = in_one_sitting(session, options, "temporal", [&](Sitting& sitting) {
+    return mms::run_temporal(study, told(progress), sitting);
+  });
+  progress.finish();
   const Json json = json_of(study, result);
   session.write_table(json["rows"]);
   for (const auto& order : result.orders)
@@ -95,9 +99,11 @@ int temporal(const Session& session, const MmsOptions& options) {
 
 int work_precision(const Session& session, const MmsOptions& options) {
   const auto variants = variants_of(options.studies, options.vary, options.overrides, solution_names());
+  Progress progress("work-precision", session.progress());
   const auto result = in_one_sitting(session, options, "work-precision", [&](Sitting& sitting) {
-    return mms::work_precision(variants, options.repeats, {1e-2, 1e-3, 1e-4}, sitting);
+    return mms::work_precision(variants, options.repeats, {1e-2, 1e-3, 1e-4}, told(progress), sitting);
   });
+  progress.finish();
   const Json json = json_of(result, options.repeats);
   session.write_table(json["points"]);
   for (const auto& c : result.cheapest)
@@ -114,13 +120,14 @@ int study(const Session& session, const MmsOptions& options) {
                      "Add --work-precision to compare them.");
   const Study study = read_study(options.studies.front(), options.overrides, solution_names());
   Progress progress(study.name, session.progress());
-  const auto tell = [&](double done, const std::string& note) { progress.update(done, note); };
-  const auto result = in_one_sitting(session, options, "study",
-                                     [&](Sitting& sitting) { return mms::run_study(study, tell, sitting); });
+  const auto result = in_one_sitting(session, options, "study", [&](Sitting& sitting) {
+    return mms::run_study(study, told(progress), sitting);
+  });
   progress.finish();
   const Json json = json_of(study, result);
-  session.write_table(json["levels"]);
-  session.text() << '\n';
+  session.text() << plain_text(table_of(shown(json["levels"])))
+                 << "relative errors, velocity, stress, pair evaluations: --csv or --json\n\n";
+  session.write_csv(json["levels"]);
   for (const auto& fit : result.fits)
     session.text() << fmt::format("{:<9} order {:.3f} [{:.3f}, {:.3f}] from {} levels{}: {}\n", fit.norm,
                                   fit.fit.order, fit.fit.lower, fit.fit.upper, fit.fit.levels.size(),
@@ -136,9 +143,9 @@ int study(const Session& session, const MmsOptions& options) {
 int mms_action(const Session& session, const MmsOptions& options) {
   const int asked = int(options.list) + int(!options.check.empty()) + int(!options.studies.empty());
   if (asked != 1)
-    throw InputError("plumb mms does one thing at a time", "",
-                     "Give a study file, or --list, or --check NAME. Example: plumb mms "
-                     "verification/studies/swinging_plate.toml");
+    throw InputError(asked == 0 ? "nothing was asked for" : "several things were asked for",
+                     "plumb mms does one at a time",
+                     "give a study file, or --list, or --check NAME. To begin: plumb new study first.toml");
   if (options.list) return list(session);
   if (!options.check.empty()) return check(session, options);
   if (options.work_precision) return work_precision(session, options);
@@ -156,10 +163,12 @@ void add_mms(CLI::App& program, Session& session) {
                                    "plumb mms --check swinging-plate --points 100"},
                                   {.table = true, .plot = true},
                                   [&session, options] { return mms_action(session, *options); });
-  command.add_option("study", options->studies, "study file (TOML); several with --work-precision");
+  command.add_option("study", options->studies, "the study file (.toml); several with --work-precision")
+      ->type_name("STUDY ...");
   command.add_flag("--list", options->list, "the catalogue of solutions with their parameters");
-  command.add_option("--check", options->check,
-                     "compares the two derivations of a solution at random points");
+  command
+      .add_option("--check", options->check, "compares the two derivations of a solution at random points")
+      ->type_name("SOLUTION");
   command.add_option("--points", options->points, "number of random points of --check")
       ->capture_default_str();
   command.add_option("--seed", options->seed, "seed of --check")->capture_default_str();
@@ -167,12 +176,15 @@ void add_mms(CLI::App& program, Session& session) {
                    "orders of the integrators: the step halved five times on the first cloud of the study");
   command.add_flag("--work-precision", options->work_precision,
                    "error against CPU time and work of several methods, with the Pareto front");
-  command.add_option("--vary", options->vary,
-                     "with --work-precision: section.key=value,value; every combination is a method");
+  command
+      .add_option("--vary", options->vary,
+                  "with --work-precision: values of a key; every combination is a method")
+      ->type_name("section.key=V1,V2,..");
   command.add_option("--repeats", options->repeats, "with --work-precision: timed runs after the first")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
-  command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+  command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
+      ->type_name("section.key=value");
   add_sitting_options(command, options->sitting);
 }
 

@@ -1,19 +1,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "oned/explorer.hpp"
 #include "oned/response.hpp"
-#include "oned/study.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/oned_account.hpp"
 #include "plumb/oned_options.hpp"
+#include "plumb/oned_output.hpp"
 #include "plumb/oned_pictures.hpp"
-#include "plumb/run/sittings.hpp"
+#include "plumb/oned_study.hpp"
 #include "plumb/session.hpp"
 
 namespace plumb {
@@ -21,25 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Options = std::shared_ptr<OnedOptions>;
-
-Json number(double value) {
-  return value;
-}
-Json number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-void draw(const Session& session, const reports::Picture& picture) {
-  if (session.plot.empty()) return;
-  for (const auto& dropped : reports::save(picture, session.plot))
-    std::cerr << fmt::format("plumb: warning: {}: {} points not drawn, {}\n", dropped.series, dropped.points,
-                             dropped.why);
-}
-
-void warn(const Session& session, const std::vector<std::string>& warnings) {
-  if (session.quiet) return;
-  for (const auto& text : warnings) std::cerr << "plumb: warning: " << text << '\n';
-}
 
 int kernels(const Session& session, const OnedOptions& options, double at, bool gradients) {
   const oned::Discretisation d = options.discretisation();
@@ -100,72 +80,6 @@ int gradient(const Session& session, const OnedOptions& options, bool errors) {
   return 0;
 }
 
-Json study_row(const oned::StudyRow& r) {
-  Json row{{"n", r.n},
-           {"dx", r.dx},
-           {"radius", r.radius},
-           {"field", r.field},
-           {"estimator", r.estimator},
-           {"pair", name_of(r.pair)},
-           {"rmse", r.norms.rmse},
-           {"max", r.norms.max},
-           {"interior_rmse", number(r.norms.interior_rmse)},
-           {"interior_max", number(r.norms.interior_max)},
-           {"boundary_max", number(r.norms.boundary_max)},
-           {"cpu_s", number(r.cpu_s)}};
-  if (!r.norms.interior_rmse) row["status"] = "no interior particles: 2R <= X <= L - 2R is empty";
-  return row;
-}
-
-Json study_fit(const oned::StudyFit& f) {
-  Json fit{{"field", f.field},
-           {"estimator", f.estimator},
-           {"pair", name_of(f.pair)},
-           {"norm", f.norm},
-           {"order", f.fit.order},
-           {"ci95", {f.fit.lower, f.fit.upper}},
-           {"pairwise", f.fit.pairwise},
-           {"drift", f.fit.drift},
-           {"levels", f.fit.levels.size()},
-           {"verdict", name_of(f.trend)}};
-  return fit;
-}
-
-/// The warnings of all levels, each text once.
-std::vector<std::string> study_warnings(const OnedOptions& options, const std::vector<oned::Field>& fields) {
-  std::vector<std::string> all;
-  oned::Discretisation level = options.discretisation();
-  for (const Index n : options.n) {
-    level.n = n;
-    for (const auto& text : oned::warnings(level, fields))
-      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-  }
-  return all;
-}
-
-int study(const Session& session, OnedOptions options, const SittingOptions& where) {
-  if (options.n.empty()) options.n = {20, 40, 80, 160, 320};
-  const auto fields = options.parsed_fields();
-  const auto result =
-      in_one_sitting(session, where, {}, {parameters_of(options).dump()}, [&](Sitting& sitting) {
-        return oned::refine(options.discretisation(), options.n, fields, options.methods(), sitting);
-      });
-  warn(session, study_warnings(options, fields));
-  Json rows = Json::array(), fits = Json::array();
-  for (const auto& r : result.rows) rows.push_back(study_row(r));
-  session.write_table(rows);
-  session.text() << '\n';
-  for (const auto& f : result.fits) {
-    fits.push_back(study_fit(f));
-    session.text() << fmt::format("{} {} {} {}: order {:.4f} [{:.4f}, {:.4f}] from {} levels, {}\n", f.field,
-                                  f.estimator, name_of(f.pair), f.norm, f.fit.order, f.fit.lower, f.fit.upper,
-                                  f.fit.levels.size(), name_of(f.trend));
-  }
-  session.write_json({{"parameters", parameters_of(options)}, {"rows", rows}, {"fits", fits}});
-  draw(session, study_picture(result));
-  return 0;
-}
-
 int response(const Session& session, const OnedOptions& options, Index points) {
   const oned::Discretisation d = options.discretisation();
   const auto result = oned::response_rows(d.kernel, d.support() / d.dx(), options.methods(), points);
@@ -210,20 +124,6 @@ void add_gradient(CLI::App& group, Session& session) {
   add_method_options(command, *options);
 }
 
-void add_study(CLI::App& group, Session& session) {
-  const auto options = std::make_shared<OnedOptions>();
-  const auto where = std::make_shared<SittingOptions>();
-  CLI::App& command = add_command(
-      group, session,
-      {"study", "error under refinement, with fitted orders",
-       "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160 --estimator improved --pair W1 --json -"},
-      {.table = true, .plot = true}, [&session, options, where] { return study(session, *options, *where); });
-  add_cloud_options(command, *options, true);
-  add_field_option(command, *options);
-  add_method_options(command, *options);
-  add_sitting_options(command, *where);
-}
-
 void add_response(CLI::App& group, Session& session) {
   const auto options = std::make_shared<OnedOptions>();
   const auto points = std::make_shared<Index>(100);
@@ -248,7 +148,7 @@ void add_oned(CLI::App& program, Session& session) {
        "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160"});
   add_kernels(group, session);
   add_gradient(group, session);
-  add_study(group, session);
+  add_oned_study(group, session);
   add_response(group, session);
   add_account(group, session);
 }

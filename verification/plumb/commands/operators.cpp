@@ -104,7 +104,8 @@ void add_operators(CLI::App& program, Session& session) {
       {.table = true, .plot = true}, [&session, options] { return operators_action(session, *options); });
   command.add_option("study", options->study, "study file (TOML); its end time is the time of the field")
       ->required();
-  command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+  command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
+      ->type_name("section.key=value");
 }
 
 }  // namespace plumb

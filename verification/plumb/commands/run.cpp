@@ -79,6 +79,7 @@ RunResult advance(const Session& session, const Scene& scene, Simulation<d>& sim
   const Stopwatch watch(book.timing);
   const double start = wall_time();
   const long first = simulation.state.step;
+  const double before = fraction_done(simulation.control, simulation.state);
   const auto keep = [&] {
     watch.read();
     checkpoints->write(simulation, book, recorder.mark());
@@ -89,7 +90,8 @@ RunResult advance(const Session& session, const Scene& scene, Simulation<d>& sim
     if (checkpoints && checkpoints->due(state.time)) keep();
     progress.update(fraction_done(simulation.control, state),
                     fmt::format("t = {:.4g} s, step {}, {:.3g} steps/s", state.time, state.step,
-                                static_cast<double>(state.step - first) / (wall_time() - start)));
+                                static_cast<double>(state.step - first) / (wall_time() - start)),
+                    before);
     return !interrupted();
   };
   const RunResult result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,

@@ -163,7 +163,8 @@ int run_spectrum(const Session& session, const SpectrumCommand& command) {
                                                  : analyse<3>(scenes[n], command.options);
     rows.push_back(row_of(sets[n], result));
     single = result;
-    progress.update(static_cast<double>(n + 1) / static_cast<double>(scenes.size()));
+    progress.update(static_cast<double>(n + 1) / static_cast<double>(scenes.size()),
+                    fmt::format("{} of {} spectra", n + 1, scenes.size()));
   }
   progress.finish();
   if (command.over.empty()) {
@@ -188,11 +189,11 @@ void add_spectrum(CLI::App& program, Session& session) {
       {"spectrum", "eigenvalues of the equations of motion, linearised about the reference state",
        "plumb spectrum verification/scenes/free_cube.toml --over method.momentum=symmetrised,adjoint"},
       {.table = true, .plot = true}, [&session, options] { return run_spectrum(session, *options); });
-  command.add_option("scene", options->file, "the scene file")->required()->type_name("SCENE.toml");
-  command.add_option("--set", options->overrides, "override a value: section.key=value")
-      ->type_name("KEY=VALUE");
+  command.add_option("SCENE", options->file, "the scene file (.toml)")->required()->type_name("FILE");
+  command.add_option("--set", options->overrides, "change one value of the scene; may be repeated")
+      ->type_name("section.key=value");
   command.add_option("--over", options->over, "several values of one key: one row each")
-      ->type_name("KEY=V1,V2,..");
+      ->type_name("section.key=V1,V2,..");
   command.add_option("--modes", options->options.low_modes, "number of low modes to list")
       ->check(CLI::Range(1, 500))
       ->capture_default_str();

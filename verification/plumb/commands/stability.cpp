@@ -70,7 +70,8 @@ class Map {
       try {
         fill(cells[n]);
 #pragma omp critical
-        progress.update(static_cast<double>(++finished) / static_cast<double>(cells.size()));
+        progress.update(static_cast<double>(++finished) / static_cast<double>(cells.size()),
+                        fmt::format("{} of {} edges", finished.load(), cells.size()));
       } catch (const Stopped&) {
         continue;
       } catch (...) {
@@ -183,8 +184,8 @@ void add_stability(CLI::App& program, Session& session) {
                    "plumb stability verification/stability/small-motion.toml"},
                   {.table = true}, [&session, options] { return stability(session, *options); });
   command.add_option("STUDY", options->study, "the study file (.toml)")->required()->type_name("FILE");
-  command.add_option("--set", options->overrides, "override a value of the study: section.key=value")
-      ->type_name("KEY=VALUE");
+  command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
+      ->type_name("section.key=value");
   command.add_option("--cache", options->cache, "folder of finished runs; empty: none is kept")
       ->type_name("DIR")
       ->capture_default_str();

@@ -78,7 +78,8 @@ void add_static(CLI::App& program, Session& session) {
                    "plumb static verification/studies/static_plate.toml --json -"},
                   {.table = true}, [&session, options] { return static_action(session, *options); });
   command.add_option("study", options->study, "study file (TOML)")->required();
-  command.add_option("--set", options->overrides, "overrides section.key=value of the study file");
+  command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
+      ->type_name("section.key=value");
   add_sitting_options(command, options->sitting);
 }
 

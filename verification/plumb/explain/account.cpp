@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plumb/parts.hpp"
+#include "plumbline/core/error.hpp"
 #include "plumbline/kernel/kernel.hpp"
 
 namespace plumb {
@@ -101,6 +102,30 @@ Statement start_of(const Scene& scene) {
   return {"start", "with velocity " + list(scene.initial->velocity), ""};
 }
 
+/// "t = 0.1 s, or after 100 steps".
+Statement end_of(const Scene& scene) {
+  std::string text = scene.end_time ? fmt::format("at t = {:g} s", *scene.end_time) : "";
+  if (scene.max_steps) text += fmt::format("{}after {} steps", text.empty() ? "" : ", or ", *scene.max_steps);
+  return {"ends", text, ""};
+}
+
+/// What a run would write.
+Statement output_of(const Scene& scene) {
+  if (!scene.output) return {"writes", "a summary only: there is no [output]", ""};
+  const Output& output = *scene.output;
+  std::vector<std::string> files;
+  if (output.series) files.emplace_back("energies and momenta against time");
+  for (const Probe& probe : output.probes) files.push_back("what happens at \"" + probe.name + "\"");
+  if (output.vtk) files.emplace_back("particles for ParaView");
+  if (output.budget) files.emplace_back("what changed momenta and energy, step by step");
+  if (output.checkpoint) files.push_back(fmt::format("a checkpoint every {:g} s", *output.checkpoint));
+  if (files.empty()) return {"writes", "a summary only: [output] asks for nothing", ""};
+  return {"writes",
+          join(files) + (output.every ? fmt::format(" (every {:g} s)", *output.every)
+                                      : std::string(" (the first and the last state)")),
+          ""};
+}
+
 }  // namespace
 
 template <int d>
@@ -143,6 +168,8 @@ std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simul
                  simulation.solid.cloud.line > 0 ? "THEORY (10.1), (10.4)" : "THEORY (10.1)"});
   if (!scene.boundaries.empty()) all.push_back(held(scene, simulation));
   all.push_back(start_of(scene));
+  all.push_back(end_of(scene));
+  all.push_back(output_of(scene));
   return all;
 }
 

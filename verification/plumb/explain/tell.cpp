@@ -25,6 +25,11 @@ std::string size_text(double bytes) {
   return fmt::format("{:.4g} {}", bytes, unit);
 }
 
+/// A time to wait, no more exact than it is known.
+std::string expected(double seconds) {
+  return seconds < 0.1 ? "less than 0.1 s" : "about " + duration_text(seconds);
+}
+
 std::string cited(const Json& statement) {
   const auto theory = statement["theory"].get<std::string>();
   return statement["text"].get<std::string>() + (theory.empty() ? "" : ". " + theory);
@@ -87,20 +92,24 @@ void tell_arrays(std::ostream& out, const Json& json) {
 void tell(std::ostream& out, const Json& json) {
   out << fmt::format("{} ({}D) solves the motion of an elastic body by total Lagrangian SPH.\n",
                      json["scene"].get<std::string>(), json["dimension"].get<int>());
+  if (const auto shows = json["shows"].get<std::string>(); !shows.empty())
+    out << "  " << fmt::format("{:<12} {}\n", "shows", wrapped(shows, 15));
   for (const auto& statement : json["solves"])
     out << fmt::format("  {:<12} {}\n", statement["topic"].get<std::string>(), wrapped(cited(statement), 15));
   tell_costs(out, json["costs"]);
-  out << "  Nothing is there of";
+  std::string left_out;
   for (const auto& part : json["left_out"])
-    out << ' ' << part.get<std::string>() << (part == json["left_out"].back() ? "\n" : ",");
+    left_out += (left_out.empty() ? "" : ", ") + part.get<std::string>();
+  out << "  not built: " << wrapped(left_out, 13) << '\n';
   tell_arrays(out, json);
-  out << fmt::format("\nTime step {:.6g} s: {}\n{} steps with {} evaluation{} each\n",
+  out << fmt::format("\nTime step {:.6g} s: {}\n{} steps with {} evaluation{} of the force each\n",
                      json["dt"].get<double>(), cited(json["dt_reason"]), json["steps"].get<long>(),
                      json["evaluations_per_step"].get<int>(), json["evaluations_per_step"] == 1 ? "" : "s");
   out << (json["estimated_wall_s"].is_null()
               ? std::string("the first steps fail: the run would end unstable at once\n")
-              : "estimated time " + duration_text(json["estimated_wall_s"].get<double>()) +
-                    " and output, from a few steps measured on this machine\n");
+              : fmt::format(
+                    "It will take {} and the time of its output, by a few steps measured on this machine\n",
+                    expected(json["estimated_wall_s"].get<double>())));
   for (const auto& warning : json["warnings"])
     out << "\nMind: " << wrapped(warning.get<std::string>(), 6) << '\n';
 }

@@ -19,6 +19,10 @@ void add_sitting_options(CLI::App& command, SittingOptions& options) {
       ->capture_default_str();
 }
 
+Sitting::Listener told(Progress& progress) {
+  return [&progress](double fraction, const std::string& note) { progress.update(fraction, note); };
+}
+
 std::string content_of_study(const std::vector<std::string>& files, const std::vector<std::string>& choices) {
   std::string content = build_identity() + "\n";
   for (const auto& file : files) content += read_text(file) + "\n";

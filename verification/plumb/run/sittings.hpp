@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plumb/run/interrupt.hpp"
+#include "plumbline/output/progress.hpp"
 #include "plumbline/output/sitting.hpp"
 
 namespace CLI {
@@ -20,6 +21,9 @@ struct SittingOptions {
 
 /// Adds --unfinished.
 void add_sitting_options(CLI::App& command, SittingOptions& options);
+
+/// What tells the progress how far a study is.
+Sitting::Listener told(Progress& progress);
 
 /// What a sitting's parts depend on, as text.
 std::string content_of_study(const std::vector<std::string>& files, const std::vector<std::string>& choices);

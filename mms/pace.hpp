@@ -1,0 +1,30 @@
+#pragma once
+#include <chrono>
+
+#include "plumbline/output/sitting.hpp"
+#include "plumbline/scene/simulation.hpp"
+
+namespace plumb::mms {
+
+/// Tells a sitting after each step how far a run is, and how many pairs it evaluates a second; the sitting
+/// may end it there.
+template <int d>
+class Pace {
+ public:
+  Pace(Sitting& sitting, const Simulation<d>& simulation) : sitting_(sitting), simulation_(simulation) {}
+
+  /// Throws SittingEnded if the sitting is to end. A step of a hundred particles takes some 10 us; this is
+  /// 0.1 us.
+  void tell() const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    sitting_.check(simulation_.state.time / *simulation_.control.end_time,
+                   static_cast<double>(simulation_.solid.work.pair_evaluations) / elapsed.count());
+  }
+
+ private:
+  Sitting& sitting_;
+  const Simulation<d>& simulation_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace plumb::mms
