@@ -124,8 +124,9 @@ Section write(const Results& results) {
 SectionPlan speed_goals(bool) {
   const auto bench = [](const std::string& id, const std::string& cases, const std::string& n,
                         const std::string& cores) {
-    return Job{
-        id, {"bench", "--case", cases, "--n", n, "--cores", cores, "--repeats", "5", "--seconds", "0.2"}, {}};
+    return Job{id,
+               {"bench", "--case", cases, "--n", n, "--cores", cores, "--repeats", "12", "--seconds", "0.15"},
+               {}};
   };
   return {905,
           "speed-goals",

@@ -67,7 +67,8 @@ UniformStress uniform_stress_force(const CloudKind& kind, const Scheme& scheme, 
     set_vector<d>(state.u, solid.bonds.slots.of(i), (A - Mat<d>::Identity()) * solid.cloud.X[i]);
   const auto f = plumb::testing::forces(solid, state);
   double stress = 0;
-  for (int a = 0; a < d * d; ++a) stress = std::max(stress, std::abs(solid.P.at(a, solid.bonds.slots.of(solid.cloud.size() - 1))));
+  for (int a = 0; a < d * d; ++a)
+    stress = std::max(stress, std::abs(solid.P.at(a, solid.bonds.slots.of(solid.cloud.size() - 1))));
   UniformStress result;
   const double rim = 4 * solid.smoothing_length + solid.cloud.spacing;
   for (Index i = 0; i < solid.cloud.size(); ++i) {

@@ -140,8 +140,9 @@ void add_bench(CLI::App& program, Session& session) {
       ->delimiter(',')
       ->type_name("NAME,..");
   command.add_flag("--all", options->all, "every scheme, on lattices and jittered clouds");
-  command.add_flag("--full", options->full,
-                   "--all with N from 10^3 to 4 10^6 on 1 and 2 threads; some ten minutes");
+  command.add_flag(
+      "--full", options->full,
+      "--all with N from 10^3 to 4 10^6 on 1 and 2 threads; some ten minutes of a quiet machine, 7 GB");
   command.add_flag("--kernels", options->kernels,
                    "the loops one by one instead (Google Benchmark), at the first number of particles");
   command.add_option("--n", options->sizes, "numbers of particles, about")
