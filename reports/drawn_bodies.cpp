@@ -19,15 +19,24 @@ void add_spins(std::vector<DrawnBody>& all) {
                      {fmt::format("body.particles=[{0},{0}]", n), fmt::format("scene.end_time={}", end)},
                      plane,
                      1.0 / n});
-  // with the symmetrised force the step collapses from 0.7 s on (claims ledger, 5.2-cube-smooth)
-  for (const auto& [momentum, end] : {std::pair("symmetrised", 0.7), {"adjoint", 2.0}})
-    all.push_back({fmt::format("cube-50-{}", momentum),
-                   fmt::format("Spinning cube, 50³, {}, {} s", momentum, end),
+  // With the paper's scheme the step collapses from 0.7 s on (claims ledger, 5.2-cube-smooth). The adjoint
+  // form needs no dissipation, and so no three stages either.
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cubes{
+      {"symmetrised", {"scene.end_time=0.7"}},
+      {"adjoint",
+       {"scene.end_time=2", "method.momentum=adjoint", "method.integrator=verlet", "method.cfl=0.5",
+        "jst.eta4=0"}}};
+  for (const auto& [scheme, set] : cubes) {
+    DrawnBody body{"cube-50-" + scheme,
+                   fmt::format("Spinning cube, 50³, {}", scheme == "adjoint" ? "adjoint, Verlet, no JST, 2 s"
+                                                                             : "the paper's scheme, 0.7 s"),
                    "spinning-cube",
-                   {"body.particles=[50,50,50]", fmt::format("scene.end_time={}", end),
-                    fmt::format("method.momentum={}", momentum)},
+                   set,
                    plane,
-                   0.02});
+                   0.02};
+    body.set.push_back("body.particles=[50,50,50]");
+    all.push_back(std::move(body));
+  }
 }
 
 void add_bending_columns(std::vector<DrawnBody>& all) {

@@ -6,6 +6,7 @@
 
 #include "plumbline/compatible/projection_cache.hpp"
 #include "plumbline/geometry/position_text.hpp"
+#include "plumbline/output/file.hpp"
 
 namespace plumb {
 namespace {
@@ -69,6 +70,7 @@ template <int d>
 LeastChange project(AreaTable<d>& table, const Cloud<d>& cloud, const CompatibleOptions<d>& options,
                     CompatibleReport& report) {
   if (options.cache.empty()) return least_change(table, cloud.X, options.volume_weight, options.solver);
+  require_folder(options.cache, "[compatible] cache");  // before the work, not after it
   const auto file = options.cache / projection_name(table, options.volume_weight);
   AreaTable<d> kept = table;
   if (read_projection(file, kept)) {

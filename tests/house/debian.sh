@@ -44,12 +44,12 @@ bash -c '. /usr/share/bash-completion/completions/plumb; COMP_WORDS=(plumb exp);
 apt-get install -q -y --no-install-recommends /packages/libplumbline-dev_*.deb g++ cmake ninja-build
 cmake -G Ninja -S /packages/consumer -B /tmp/consumer -DCMAKE_BUILD_TYPE=Release
 cmake --build /tmp/consumer
-/tmp/consumer/own && /tmp/consumer/consumer && /tmp/consumer/rooms
+for program in own consumer rooms; do "/tmp/consumer/$program"; done
 # gone without a trace
 dpkg -L plumbline libplumbline-dev | sort -u >/packages/owned
 apt-get purge -q -y plumbline libplumbline-dev
 files >/packages/after
-! dpkg -l plumbline libplumbline-dev 2>/dev/null | grep '^ii'
+! dpkg -l plumbline libplumbline-dev 2>/dev/null | grep '^ii' || { echo "still installed"; exit 1; }
 while read -r path; do [ -d "$path" ] || ! grep -qxF "$path" /packages/after || { echo "left behind: $path"; exit 1; }; done </packages/owned
 ! grep plumb /packages/after || { echo "left behind"; exit 1; }
 echo "installed, used, removed"

@@ -146,8 +146,8 @@ std::string summary_text(const FinishedRun<d>& run) {
   text += fmt::format("  energy {:.9g} {} (kinetic {:.6g}, strain {:.6g}; at the start {:.9g})\n",
                       energy.total(), unit, energy.kinetic, energy.strain, run.book.initial_energy.total());
   text += fmt::format(
-      "  drift of linear momentum {:.3g}, of angular momentum {:.3g}, relative to the initial scale\n",
-      drift.linear, drift.angular);
+      "  drift of linear momentum {:.3g}, of angular momentum {:.3g}, relative to the initial scale{}\n",
+      drift.linear, drift.angular, run.scene.boundaries.empty() ? "" : " (the supports push the body)");
   for (int k = 0; k < d; ++k)
     text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
   if (run.simulation.compatible) text += "  " + compatible_text(run.simulation.compatible.get());
