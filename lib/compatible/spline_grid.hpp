@@ -67,7 +67,7 @@ struct ParticlesByCell {
 template <int d>
 ParticlesByCell<d> particles_by_cell(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X);
 
-/// x_i += values and gradients of the spline field: l = sum c_k B_k(X_i), L = sum c_k (x) grad B_k(X_i).
+/// x_i += values and gradients of the spline field, THEORY (11.8).
 template <int d>
 void add_prolonged(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X, const Coefficients<d>& c,
                    Multipliers<d>& x);
