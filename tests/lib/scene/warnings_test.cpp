@@ -68,6 +68,9 @@ TEST(Warnings, WideKernelNearAFreeFace) {
   EXPECT_TRUE(with({}).empty());
   EXPECT_TRUE(one(with({"method.beta=1.2"}), "near a free face")) << with({"method.beta=1.2"}).size();
   EXPECT_TRUE(one(with({"method.beta=0.8", "method.kernel=quintic"}), "near a free face"));  // R = 2.4 d
+  const auto at_the_limit =
+      with({"method.beta=1"});  // R = 2 d: the growth was measured there; a lattice distance too
+  EXPECT_TRUE(at_the_limit.size() == 2 && one({at_the_limit[0]}, "near a free face"));
   std::string rollers;
   for (const char* face : {"x-", "x+", "y-", "y+"})
     rollers += fmt::format("[[boundary]]\nface = \"{}\"\nkind = \"roller\"\n", face);
