@@ -117,9 +117,10 @@ Section write(const Results& results) {
   s.answer = fmt::format("{} of {} solutions with natural edges meet the order that their study declares.",
                          met, declared);
   s.notes = {
-      fmt::format("The clipped lattice of the vortex has cells cut by the circles, with their volumes but not "
-                  "their centroids. Nothing is declared of it; its order in L₂ was {}.",
-                  study_check("", results.json(clipped), "l2").measured),
+      fmt::format(
+          "The cells of the clipped lattice of the vortex are cut by the circles. Nothing is declared of "
+          "it; its order in L₂ was {}.",
+          study_check("", results.json(clipped), "l2").measured),
       "At A = 1 rad the fastest wave of the exact state, from the acoustic tensor of (4.3), is many times "
       "faster than C_p, which the time step (31) takes with the smallest distance; the study [vortex] "
       "measures it. The table of broken runs shows which steps are too long for it.",
