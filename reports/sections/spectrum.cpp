@@ -142,7 +142,7 @@ SectionPlan spectrum(bool) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Job{id, arguments, {scene}};
   };
-  const std::string plate = "verification/scenes/free_plate.toml", betas = "method.beta=0.6,0.9,1.2,1.5",
+  const std::string plate = "verification/scenes/free_plate.toml", betas = "method.beta=0.9,1.2,1.5",
                     gradients = "method.gradient=standard,improved,compatible";
   return {
       720,
@@ -162,7 +162,7 @@ SectionPlan spectrum(bool) {
             "--over", betas, "--over", gradients}),
        job("cube-soft", cube,
            {"--set", "body.layout=node", "--set", "method.momentum=adjoint", "--set", "material.poisson=0.3",
-            "--over", "body.jitter=0,0.2", "--over", "method.beta=0.9,1.2,1.5", "--over", gradients}),
+            "--over", "body.jitter=0,0.2", "--over", betas, "--over", gradients}),
        job("worst-plate-standard", plate, {"--set", "method.beta=1.2", "--set", "method.gradient=standard"}),
        job("worst-plate-improved", plate,
            {"--set", "method.beta=1.2", "--set", "body.layout=node", "--set", "body.jitter=0.2"}),
