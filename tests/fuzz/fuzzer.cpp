@@ -8,7 +8,8 @@
 #include "tests/fuzz/targets.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // a second of CPU time: libFuzzer's own -timeout looks at the clock, and a busy machine would raise false alarms
+  // a second of CPU time: libFuzzer's own -timeout looks at the clock, and a busy machine would raise false
+  // alarms
   const std::clock_t start = std::clock();
   plumb::fuzz::feed(plumb::fuzz::PLUMB_FUZZ_TARGET, {reinterpret_cast<const char*>(data), size});
   if (std::clock() - start > CLOCKS_PER_SEC) {

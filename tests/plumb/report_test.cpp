@@ -40,7 +40,8 @@ void check_page(const fs::path& folder, int width, const std::string& page) {
 }
 
 TEST(Report, WorksInTheBrowserOnATelephoneADeskAndPaper) {
-  if (!test::Browser::installed()) FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
+  if (!test::Browser::installed())
+    FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
   const test::TemporaryFolder folder;
   const auto outcome = run_plumb("report --quiet --only kernels,account,claims,faults,bad-input --out " +
                                  folder.path().string());
@@ -56,7 +57,8 @@ TEST(Report, WorksInTheBrowserOnATelephoneADeskAndPaper) {
 /// The complete report, if one was made: PLUMB_REPORT names its folder (reports/out of the tree if it is not
 /// set).
 TEST(Report, LongCompletePageWorksInTheBrowser) {
-  if (!test::Browser::installed()) FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
+  if (!test::Browser::installed())
+    FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
   const char* named = std::getenv("PLUMB_REPORT");
   const fs::path folder = named ? fs::path(named) : fs::path(PLUMBLINE_SOURCE_DIR) / "reports" / "out";
   if (!fs::exists(folder / "index.html")) {

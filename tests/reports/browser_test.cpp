@@ -39,7 +39,8 @@ std::string page_text() {
 class InBrowser : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    if (!Browser::installed()) FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
+    if (!Browser::installed())
+      FAIL() << "chromium or pdftotext is not installed: both are in .ci/packages.txt";
   }
 };
 

@@ -54,8 +54,7 @@ class Browser {
     // Chromium prints by a script of its own, so it cannot be told to run none: the script is cut out.
     std::ofstream(folder_ / "page.html") << page.substr(0, page.rfind("<script>")) << "</body></html>";
     const std::string pdf = (folder_ / "page.pdf").string();
-    call("--no-pdf-header-footer --print-to-pdf=" + pdf + " file://" +
-         (folder_ / "page.html").string());
+    call("--no-pdf-header-footer --print-to-pdf=" + pdf + " file://" + (folder_ / "page.html").string());
     const std::string boxes = run_shell("pdftotext -bbox " + pdf + " -").out;
     double sheet = 0;
     words = outside = 0;
