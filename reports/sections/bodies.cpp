@@ -95,9 +95,11 @@ Figure history(const Results& results, const DrawnBody& body) {
     return {
         body.id + "-angular", picture, "The paper: about 94 % left at 2 s on its coarsest grid.", {body.id}};
   }
+  const bool plane = series.contains("total energy [J/m]");
+  if (plane) picture.y.unit = "kJ/m";
   for (const char* part : {"kinetic", "strain", "total"}) {
     std::vector<double> energy;
-    for (const double value : column(series, std::string(part) + " energy [J]"))
+    for (const double value : column(series, std::string(part) + (plane ? " energy [J/m]" : " energy [J]")))
       energy.push_back(1e-3 * value);
     picture.series.push_back({part, time, energy, Style::lines});
   }
