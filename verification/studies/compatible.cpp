@@ -40,6 +40,9 @@ TEST_CASE("compatible: static plate on irregular clouds, order 2 where the unpro
     CHECK(result.fits[0].fit.lower < 2.0);
     CHECK(result.fits[0].fit.upper > 2.0);
     CHECK(result.fits[1].fit.order > 0.9);  // H1
+    // P follows F: its order is that of H1. An error that got lost on its way would be zero, and have none.
+    CHECK(result.fits[2].norm == "stress_l2");
+    CHECK(result.fits[2].fit.order > 0.9);
     CHECK(result.levels.back().l2 < 1e-3);  // the unprojected ones have 4e-2 and more
   }
   const auto fixed = static_plate({"compatible.volumes=fixed"});
