@@ -2,7 +2,7 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <type_traits>
+#include <utility>
 
 #include "plumbline/solid/solid.hpp"
 
@@ -59,37 +59,18 @@ void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, c
   }
 }
 
-/// Stands for nothing to be done before a block's state is read.
-struct NothingBefore {
-  void operator()(const Block&) const {}
-};
-
-/// Calls f(b) for the blocks of a share that another share reads, or that read from another.
-template <class F>
-void for_rim_of_share(const StressWindow& P, Index share, F&& f) {
-  const auto [first, last] = P.inner(share);
-  for (Index b = P.begin_of(share); b < first; ++b) f(b);
-  for (Index b = last; b < P.begin_of(share + 1); ++b) f(b);
-}
-
-/// Goes through a share: before(b) `reach` blocks ahead of the stress, which reads so far, and the forces that
-/// need no others, force(b), `reach` blocks behind it. Ends with false at the first block that is not sound,
-/// before any force has read its stress, but after before() of all blocks.
-template <int d, class Before, class Force>
-bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index share, Before&& before,
-                      Force&& force) {
+/// Stresses of a share, and the forces that need no others, `reach` blocks behind. Calls force(b). Ends with
+/// false at the first block that is not sound, before any force has read its stress.
+template <int d, class Force>
+bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index share, Force&& force) {
   const Index reach = solid.P.reach(), last = solid.P.begin_of(share + 1);
-  const auto [first_inner, end_inner] = solid.P.inner(share);
-  Index ahead = first_inner, behind = first_inner;
+  Index next = solid.P.inner(share).first;
+  const Index end = solid.P.inner(share).second;
   for (Index b = solid.P.begin_of(share); b < last; ++b) {
-    while (ahead < std::min(end_inner, b + reach + 1)) before(ahead++);
-    if (!find_stress(solid, state, solid.block(b), time)) {
-      while (ahead < end_inner) before(ahead++);
-      return false;
-    }
-    if (behind < end_inner && behind + reach <= b) force(behind++);
+    if (!find_stress(solid, state, solid.block(b), time)) return false;
+    if (next < end && next + reach <= b) force(next++);
   }
-  while (behind < end_inner) force(behind++);
+  while (next < end) force(next++);
   return true;
 }
 
@@ -97,35 +78,31 @@ bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index
 /// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
 /// J <= 0 or is not a number; some blocks, far from there, have then been updated, and the integrator goes
 /// back. `arm`: of an integrator that keeps angular momentum about other points than the positions of the
-/// evaluation. before(block) brings the block's own slots to the instant, before anything reads them: on all
-/// blocks, whether the evaluation fails or not.
+/// evaluation.
 ///
 /// A block's force follows as soon as the stresses that it reads are known, while they are still in the
-/// cache, and so does its motion shortly before; what reads beyond its share waits until all are known. Every
-/// block gets the same numbers whatever the shares are.
-template <int d, class Update, class Before = NothingBefore>
-bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update, const Arm<d>& arm = {},
-              Before&& before_block = {}) {
+/// cache; what reads beyond its share waits until all are known. Every block gets the same numbers whatever
+/// the shares are.
+template <int d, class Update>
+bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update, const Arm<d>& arm = {}) {
   const Index blocks = solid.blocks();
   if (const Index threads = omp_get_max_threads();
       blocks >= blocks_for_threads && solid.P.shares() != threads)
     solid.P = make_stress_window(solid);  // the number of threads was changed
   const Index shares = solid.P.shares();
-  const auto before = [&](Index b) { before_block(solid.block(b)); };
   const auto force = [&](Index b) { find_force(solid, state, solid.block(b), time, update); };
   bool sound = true;
 #pragma omp parallel num_threads(static_cast <int>(shares))
   {
-    if constexpr (!std::is_same_v<std::decay_t<Before>, NothingBefore>) {
-#pragma omp for schedule(static, 1)
-      for (Index s = 0; s < shares; ++s) for_rim_of_share(solid.P, s, before);
-    }
 #pragma omp for schedule(static, 1) reduction(&& : sound)
-    for (Index s = 0; s < shares; ++s)
-      sound = go_through_share(solid, state, time, s, before, force) && sound;
+    for (Index s = 0; s < shares; ++s) sound = go_through_share(solid, state, time, s, force) && sound;
 #pragma omp for schedule(static, 1)
-    for (Index s = 0; s < shares; ++s)
-      if (sound) for_rim_of_share(solid.P, s, force);
+    for (Index s = 0; s < shares; ++s) {
+      if (!sound) continue;
+      const auto [first, last] = solid.P.inner(s);
+      for (Index b = solid.P.begin_of(s); b < first; ++b) force(b);
+      for (Index b = last; b < solid.P.begin_of(s + 1); ++b) force(b);
+    }
   }
   solid.work.particle_evaluations += solid.bonds.slots.particles;
   solid.work.pair_evaluations += solid.bonds.pairs;

@@ -35,11 +35,11 @@ struct Verlet {
     }
 
     bool step(Solid<d>& solid, State<d>& state, double dt) {
-      if (!started_ && !accelerate(solid, state, 0, NothingBefore{})) return false;
+      if (!started_ && !accelerate(solid, state, 0)) return false;
       started_ = true;
+      kick_and_drift(solid, state, dt);
       std::swap(a_, before_);
-      const auto move = [&](const Block& block) { kick_and_drift(state, block, dt); };
-      if (!accelerate(solid, state, dt, move)) {
+      if (!accelerate(solid, state, dt)) {
         undo(solid, state, dt);
         return false;
       }
@@ -49,12 +49,11 @@ struct Verlet {
     }
 
    private:
-    /// a(x, t + dt) after move(block), then the second half kick.
-    template <class Move>
-    bool accelerate(Solid<d>& solid, State<d>& state, double dt, const Move& move) {
+    /// a(x, t + dt), then the second half kick.
+    bool accelerate(Solid<d>& solid, State<d>& state, double dt) {
       const double per_mass = 1 / solid.elastic.density;
       std::fill(kicked_.begin(), kicked_.end(), 0);
-      const auto kick = [&](const Block& block, BlockForce<d>& force) {
+      return evaluate(solid, state, state.time + dt, [&](const Block& block, BlockForce<d>& force) {
         for (int k = 0; k < d; ++k) {
           double* v = state.v[k];
           double* a = a_[k];
@@ -66,19 +65,22 @@ struct Verlet {
           }
         }
         kicked_[block.begin() / block_slots] = 1;
-      };
-      return evaluate(solid, state, state.time + dt, kick, {}, move);
+      });
     }
 
-    void kick_and_drift(State<d>& state, const Block& block, double dt) const {
-      for (int k = 0; k < d; ++k) {
-        double* u = state.u[k];
-        double* v = state.v[k];
-        const double* a = before_[k];
+    void kick_and_drift(const Solid<d>& solid, State<d>& state, double dt) {
+#pragma omp parallel for schedule(static) if (solid.blocks() >= blocks_for_threads)
+      for (Index b = 0; b < solid.blocks(); ++b) {
+        const Block block = solid.block(b);
+        for (int k = 0; k < d; ++k) {
+          double* u = state.u[k];
+          double* v = state.v[k];
+          const double* a = a_[k];
 #pragma omp simd
-        for (Index i = block.begin(); i < block.end(); ++i) {
-          v[i] += 0.5 * dt * a[i];
-          u[i] += dt * v[i];
+          for (Index i = block.begin(); i < block.end(); ++i) {
+            v[i] += 0.5 * dt * a[i];
+            u[i] += dt * v[i];
+          }
         }
       }
     }
