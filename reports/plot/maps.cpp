@@ -9,6 +9,9 @@
 #include "reports/plot/axes.hpp"
 
 namespace plumb::reports::plot {
+
+/// Cells of categories are framed in white, unless frames would be all that one sees.
+constexpr std::size_t most_framed_rows = 24;
 namespace {
 
 template <class Map, class Value>
@@ -131,9 +134,10 @@ std::string map_commands(const Prepared& p, std::vector<std::string>& plots) {
       const auto mine = [c](int z) { return z == c ? std::string("1") : std::string(); };
       const bool used = std::find(map->z.begin(), map->z.end(), c) != map->z.end();
       out += cells(p, *map, fmt::format("map{}", c), mine);
-      plots.push_back(fmt::format(
-          "{} with boxxyerror fc rgb \"{}\" fs solid border lc rgb \"#ffffff\" title {}",
-          used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line, literal(map->names[c])));
+      const bool few = map->y.size() <= most_framed_rows;
+      plots.push_back(fmt::format("{} with boxxyerror fc rgb \"{}\" fs solid border lc rgb \"{}\" title {}",
+                                  used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line,
+                                  few ? "#ffffff" : ink(c).line, literal(map->names[c])));
     }
   return out;
 }

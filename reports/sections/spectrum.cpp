@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,15 @@ Entry entry(const Json& row, const std::string& key) {
   return value.get<double>();
 }
 
+/// What a key of a scene or of the result is called in a table.
+std::string in_words(std::string key) {
+  const auto dot = key.find('.');
+  if (dot != std::string::npos) key.erase(0, dot + 1);
+  if (key == "lowest_nonrigid") return "lowest not rigid";
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
 DataTable table_of(const Json& rows, const std::string& id, const std::string& title, const std::string& job,
                    const std::vector<std::string>& swept) {
   DataTable table{id, title, {}, {}, {job}, {}};
@@ -35,10 +45,12 @@ DataTable table_of(const Json& rows, const std::string& id, const std::string& t
     for (const auto& column : table.columns) line.push_back(entry(row, column.name));
     table.rows.push_back(std::move(line));
   }
+  for (auto& column : table.columns) column.name = in_words(column.name);
   return table;
 }
 
-/// The betas, for which no row of the scheme has a spurious mode below the smooth ones.
+/// "at beta = 0.9, 1.2" for which no row of the scheme has a spurious mode below the smooth ones, or "at no
+/// beta".
 std::string betas_without_soft_modes(const Json& rows, const std::string& gradient) {
   std::map<double, bool> soft;
   for (const auto& row : rows)
@@ -47,7 +59,7 @@ std::string betas_without_soft_modes(const Json& rows, const std::string& gradie
   std::string list;
   for (const auto& [beta, some] : soft)
     if (!some) list += fmt::format("{}{:g}", list.empty() ? "" : ", ", beta);
-  return list.empty() ? "none" : list;
+  return list.empty() ? "at no beta" : "at beta = " + list;
 }
 
 /// The mode of least energy of one body.
@@ -97,11 +109,9 @@ Section write(const Results& results) {
   s.answer = fmt::format(
       "The paper's symmetrised force lets a free cube grow by exp({:.3g} t c_p/d) whatever the time step; "
       "the "
-      "adjoint force has no growth. Compatible bonds have no spurious mode below the smooth ones at beta = "
-      "{} in 2D and "
-      "{} in 3D, lattice and jittered; the improved gradient on the same clouds at {} and {}, the standard "
-      "one at {} and "
-      "{}.",
+      "adjoint force has no growth. Compatible bonds have no spurious mode below the smooth ones {} in 2D "
+      "and {} in 3D, lattice and jittered; the "
+      "improved gradient on the same clouds {} and {}, the standard one {} and {}.",
       growth, betas_without_soft_modes(results.json("plate-soft").at("rows"), "compatible"),
       betas_without_soft_modes(results.json("cube-soft").at("rows"), "compatible"),
       betas_without_soft_modes(results.json("plate-soft").at("rows"), "improved"),
