@@ -33,8 +33,8 @@ std::string readings_of(const Json& claim) {
   std::string out;
   for (const auto& reading : claim.at("readings"))
     out +=
-        fmt::format("{}{} {}: {:.4g}{}", out.empty() ? "" : "\n", reading.at("holds").get<bool>() ? "✓" : "✗",
-                    text(reading, "name"), number(reading, "value"), unit);
+        fmt::format("{}{} {:.4g}{}: {}", out.empty() ? "" : "\n", reading.at("holds").get<bool>() ? "✓" : "✗",
+                    number(reading, "value"), unit, text(reading, "name"));
   return out;
 }
 
