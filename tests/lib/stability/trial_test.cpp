@@ -48,6 +48,22 @@ TEST(Trial, EveryCauseIsFound) {
       Cause::hourglass);
 }
 
+// Also where it tears and particles fly off: faster than waves travel, so it does.
+TEST(Trial, TheStretchIsThatOfWhatPulls) {
+  const auto pulled = [](const char* velocity) {
+    return trial({fmt::format("boundary=[{{face='x-', kind='clamped'}}, {{face='x+', kind='velocity', "
+                              "velocity=['{}', '0']}}]",
+                              velocity),
+                  "initial.velocity=['0', '0']"},
+                 {});
+  };
+  const Trial slow = pulled("1"), torn = pulled("400");
+  EXPECT_FALSE(slow.cause);
+  EXPECT_NEAR(slow.stretch, 1.05, 1e-12);
+  EXPECT_TRUE(torn.cause);
+  EXPECT_NEAR(torn.stretch, 1 + 400 * torn.time, 1e-12);
+}
+
 // In rubber, velocities of 1e-6 m/s are energies of the size of round-off (THEORY (8.9)); it is not growth,
 // and growth is still found when it has risen above it.
 TEST(Trial, RoundOffIsNotTakenForGrowth) {
