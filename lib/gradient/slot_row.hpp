@@ -16,9 +16,9 @@ struct SlotBond {
 /// force is image_force, not own_force.
 template <int d>
 struct SlotRow {
+  std::vector<SlotBond<d>> bonds, images;
   Mat<d> identity = Mat<d>::Zero();
   Vec<d> own_force = Vec<d>::Zero(), image_force = Vec<d>::Zero();
-  std::vector<SlotBond<d>> bonds, images;
   double own_outer = 0;
 };
 

@@ -36,7 +36,7 @@ std::string cell(const Entry& entry, const Column& column) {
     return "<td" + label + ">" + (is_verdict ? page::verdict(*text, *text) : escaped(*text)) + "</td>";
   }
   if (const auto* value = std::get_if<double>(&entry))
-    return fmt::format("<td class=\"n\" data-v=\"{:.17g}\">{}</td>", *value,
+    return fmt::format(R"(<td class="n" data-v="{:.17g}">{}</td>)", *value,
                        number_text(*value, column.digits));
   return "<td></td>";
 }
@@ -113,9 +113,9 @@ std::string source_links(const std::vector<std::string>& jobs) {
 std::string table(const DataTable& table, const PageSection& section) {
   const bool long_table = table.rows.size() > 20;
   std::string out =
-      fmt::format("<details class=\"tb\" id=\"table-{}\"{}><summary>{} <small>({} rows)</small></summary>",
+      fmt::format(R"(<details class="tb" id="table-{}"{}><summary>{} <small>({} rows)</small></summary>)",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());
-  out += "<div class=\"scroll\"><table class=\"data";
+  out += R"(<div class="scroll"><table class="data)";
   out += has_sentences(table) ? " cards\"><thead><tr>" : "\"><thead><tr>";
   for (const auto& column : table.columns)
     out += fmt::format("<th scope=\"col\">{}{}</th>", escaped(column.name),
