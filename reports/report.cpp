@@ -36,6 +36,7 @@ void make_folder(const fs::path& folder) {
 std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
   auto plans = section_plans(options.long_run);
   std::vector<std::string> ids;
+  ids.reserve(plans.size());
   for (const auto& plan : plans) ids.push_back(plan.id);
   for (const auto& id : options.only)
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) throw unknown_name("section", id, ids);

@@ -174,7 +174,7 @@ std::shared_ptr<CompatibleReport> make_it_compatible(BondOptions<d>& options, co
   if (compatible.volumes == "fixed") how.volume_weight = 0;
   how.cache = compatible.cache;
   how.surface = [surface](const Cloud<d>&) { return surface; };
-  const auto report = std::make_shared<CompatibleReport>();
+  auto report = std::make_shared<CompatibleReport>();
   project_compatible(options, how, report);
   return report;
 }

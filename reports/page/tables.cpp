@@ -38,7 +38,7 @@ std::string cell(const Entry& entry, const Column& column) {
     return "<td" + kind + label + ">" + (is_verdict ? page::verdict(*text, *text) : escaped(*text)) + "</td>";
   }
   if (const auto* value = std::get_if<double>(&entry))
-    return fmt::format("<td class=\"n\" data-v=\"{:.17g}\">{}</td>", *value,
+    return fmt::format(R"(<td class="n" data-v="{:.17g}">{}</td>)", *value,
                        number_text(*value, column.digits));
   return "<td></td>";
 }
@@ -115,10 +115,10 @@ std::string source_links(const std::vector<std::string>& jobs) {
 std::string table(const DataTable& table, const PageSection& section) {
   const bool long_table = table.rows.size() > 20;
   std::string out =
-      fmt::format("<details class=\"tb\" id=\"table-{}\"{}><summary>{} <small>({} rows)</small></summary>",
+      fmt::format(R"(<details class="tb" id="table-{}"{}><summary>{} <small>({} rows)</small></summary>)",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());
   constexpr std::size_t many = 9;  // columns of numbers that fill a printed page
-  out += fmt::format("<div class=\"scroll\"><table class=\"data{}\"><thead><tr>",
+  out += fmt::format(R"(<div class="scroll"><table class="data{}"><thead><tr>)",
                      has_sentences(table)          ? " cards"
                      : table.columns.size() > many ? " many"
                                                    : "");

@@ -74,7 +74,7 @@ std::string interval_rows(const Intervals& rows, std::vector<std::string>& plots
                     known ? rows.high[k] : rows.value[k]);
   }
   out += fmt::format("set ytics ({}) noenhanced\n{}EOD\n{}EOD\n{}EOD\n", names, met, missed, wanted);
-  if (any_wanted) plots.push_back("$wanted with vectors nohead lw 3 lc rgb \"#808080\" notitle");
+  if (any_wanted) plots.emplace_back("$wanted with vectors nohead lw 3 lc rgb \"#808080\" notitle");
   const auto bars = [&plots](const char* data, const Ink& colour, int shape) {
     plots.push_back(fmt::format("{} with xerrorbars pt {} ps 0.7 lw 1.8 lc rgb \"{}\" notitle", data, shape,
                                 colour.line));
@@ -106,7 +106,7 @@ std::string patches(const Prepared& p, const Patches& map, std::vector<std::stri
         "set label {} at {:.6g},{:.6g} {} noenhanced tc rgb \"#606060\"\n", literal(rod.label), rod.x1,
         rod.y1, rod.x1 < rod.x0 - 1e-9 * std::abs(rod.x1) ? "right offset -0.4,0" : "left offset 0.5,0.3");
   }
-  plots.push_back("$patches using 1:2:3 with polygons fs solid noborder fc palette notitle");
+  plots.emplace_back("$patches using 1:2:3 with polygons fs solid noborder fc palette notitle");
   return out;
 }
 
@@ -135,7 +135,7 @@ std::string map_commands(const Prepared& p, std::vector<std::string>& plots) {
       const bool used = std::find(map->z.begin(), map->z.end(), c) != map->z.end();
       out += cells(p, *map, fmt::format("map{}", c), mine);
       const bool few = map->y.size() <= most_framed_rows;
-      plots.push_back(fmt::format("{} with boxxyerror fc rgb \"{}\" fs solid border lc rgb \"{}\" title {}",
+      plots.push_back(fmt::format(R"({} with boxxyerror fc rgb "{}" fs solid border lc rgb "{}" title {})",
                                   used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line,
                                   few ? "#ffffff" : ink(c).line, literal(map->names[c])));
     }

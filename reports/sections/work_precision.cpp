@@ -39,7 +39,7 @@ Job job_of(const Comparison& comparison, bool long_run) {
            "study.quadrature=nodal", "--set", "study.periods=0.125", "--set", "method.integrator=verlet"},
           {file}};
   for (const auto& axis : comparison.vary) {
-    job.arguments.push_back("--vary");
+    job.arguments.emplace_back("--vary");
     job.arguments.push_back(axis);
   }
   return job;

@@ -44,7 +44,7 @@ std::string content_of(const StabilityStudy& study, const std::vector<std::strin
   std::string content = build_identity() + "\n";
   for (const auto& [key, text] :
        settings_of(parse_document(study.scene, study.file, overrides, scene_alternatives())))
-    content += key + " = " + text + "\n";
+    content.append(key).append(" = ").append(text).append("\n");
   content += fmt::format("bounds {} {}", study.bounds.energy_growth.value_or(-1),
                          study.bounds.hourglass.value_or(-1));
   return content + (study.parameter == EdgeParameter::twist ? fmt::format(" twist {}", value) : "");
@@ -65,6 +65,7 @@ class Map {
     std::exception_ptr problem;
     std::atomic<int> finished = 0;
 #pragma omp parallel for schedule(dynamic)
+    // NOLINTNEXTLINE(modernize-loop-convert): OpenMP shares out indices
     for (std::size_t n = 0; n < cells.size(); ++n) {
       if (interrupted() || problem) continue;
       try {
