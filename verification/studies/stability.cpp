@@ -21,7 +21,7 @@ StabilityStudy study_named(const std::string& name) {
 }
 
 bool stable(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
-  return !try_scene(scene_of(study, overrides, value), study.bounds, [] { return true; })->cause;
+  return try_scene(scene_of(study, overrides, value), study.bounds, [] { return true; })->stable();
 }
 
 }  // namespace
@@ -106,6 +106,7 @@ TEST_CASE("the same scene in other units and at other scales gives the same numb
       const auto other = try_scene(scaled(si, u), study.bounds, [] { return true; });
       INFO(variant.name << ", length " << u.length);
       CHECK(other->cause == reference->cause);
+      CHECK(other->refused == "");
       CHECK(other->steps == reference->steps);
       // Rounding of the scale factors, grown over some hundred steps of a smooth motion.
       CHECK(other->time * u.time == Approx(reference->time).epsilon(1e-12));
