@@ -85,7 +85,13 @@ std::optional<Trial> attempt(const Scene& scene, const StabilityBounds& bounds,
 
 std::optional<Trial> try_scene(const Scene& scene, const StabilityBounds& bounds,
                                const std::function<bool()>& go_on) {
-  return scene.dimension == 2 ? attempt<2>(scene, bounds, go_on) : attempt<3>(scene, bounds, go_on);
+  try {
+    return scene.dimension == 2 ? attempt<2>(scene, bounds, go_on) : attempt<3>(scene, bounds, go_on);
+  } catch (const InputError& error) {
+    Trial trial;
+    trial.refused = error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")");
+    return trial;
+  }
 }
 
 }  // namespace plumb

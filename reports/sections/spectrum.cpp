@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 const char* const cube = "verification/scenes/free_cube.toml";
 
 Entry entry(const Json& row, const std::string& key) {
-  const Json& value = row.at(key);
+  const Json value = row.value(key, Json());
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
   return value.get<double>();
@@ -32,12 +32,25 @@ std::string in_words(std::string key) {
   return key;
 }
 
+/// The body could not be built; the row has no numbers but says why.
+bool is_refused(const Json& row) {
+  return row.contains("status") && text(row, "status").starts_with("refused");
+}
+
 DataTable table_of(const Json& rows, const std::string& id, const std::string& title, const std::string& job,
                    const std::vector<std::string>& swept) {
   DataTable table{id, title, {}, {}, {job}, {}};
-  const std::vector<Column> measured = {
-      {"rigid", "", 0}, {"near_zero_not_rigid", "", 0}, {"lowest_nonrigid"}, {"lowest_smooth"}, {"largest"},
-      {"stable_cfl"},   {"complex_pairs", "", 0},       {"negative", "", 0}, {"growth_rate"}};
+  std::vector<Column> measured = {{"rigid", "", 0},
+                                  {"near_zero_not_rigid", "", 0},
+                                  {"spurious_below_smooth", "", 0},
+                                  {"lowest_nonrigid"},
+                                  {"lowest_smooth"},
+                                  {"largest"},
+                                  {"stable_cfl"},
+                                  {"complex_pairs", "", 0},
+                                  {"negative", "", 0},
+                                  {"growth_rate"}};
+  if (std::ranges::any_of(rows, is_refused)) measured.push_back({"status"});
   for (const auto& key : swept) table.columns.push_back({key});
   table.columns.insert(table.columns.end(), measured.begin(), measured.end());
   for (const auto& row : rows) {
@@ -49,13 +62,14 @@ DataTable table_of(const Json& rows, const std::string& id, const std::string& t
   return table;
 }
 
-/// "at beta = 0.9, 1.2" for which no row of the scheme has a spurious mode below the smooth ones, or "at no
-/// beta".
+/// "at beta = 0.9, 1.2": those for which every body of the scheme can be built and none has a spurious mode
+/// below the smooth ones; or "at no beta".
 std::string betas_without_soft_modes(const Json& rows, const std::string& gradient) {
   std::map<double, bool> soft;
   for (const auto& row : rows)
     if (text(row, "method.gradient") == gradient)
-      soft[std::stod(text(row, "method.beta"))] |= number(row, "spurious_below_smooth") > 0;
+      soft[std::stod(text(row, "method.beta"))] |=
+          is_refused(row) || number(row, "spurious_below_smooth") > 0;
   std::string list;
   for (const auto& [beta, some] : soft)
     if (!some) list += fmt::format("{}{:g}", list.empty() ? "" : ", ", beta);
@@ -134,6 +148,15 @@ Section write(const Results& results) {
       table_of(results.json("cube-soft").at("rows"), "cube-soft",
                "Free cube of 5^3 particles on its surface, adjoint force, nu = 0.3", "cube-soft",
                {"body.jitter", "method.beta", "method.gradient"}),
+      table_of(results.json("compatible-growth").at("rows"), "compatible-growth",
+               "Compatible bonds, free plate on its surface: modes as it is refined", "compatible-growth",
+               {"body.jitter", "method.beta", "body.spacing"}),
+      table_of(results.json("compatible-start").at("rows"), "compatible-start",
+               "Compatible bonds at beta = 1.5, free plate of 11 x 11: start table and kernel",
+               "compatible-start", {"body.jitter", "compatible.start", "method.kernel"}),
+      table_of(results.json("compatible-energy").at("rows"), "compatible-energy",
+               "Compatible bonds with hourglass energy, free plate of 11 x 11", "compatible-energy",
+               {"body.jitter", "method.beta", "hourglass.alpha"}),
       table_of(results.json("cube-forms").at("rows"), "cube-forms", "Free cube of 4^3 particles, nu = 0.495",
                "cube-forms", {"method.momentum", "method.pair", "method.gradient"})};
   s.notes = {
@@ -152,7 +175,8 @@ SectionPlan spectrum(bool) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Job{id, arguments, {scene}};
   };
-  const std::string plate = "verification/scenes/free_plate.toml", betas = "method.beta=0.9,1.2,1.5",
+  const std::string plate = "verification/scenes/free_plate.toml",
+                    betas = "method.beta=0.6,0.75,0.9,1.05,1.2,1.35,1.5",
                     gradients = "method.gradient=standard,improved,compatible";
   return {
       720,
@@ -173,6 +197,16 @@ SectionPlan spectrum(bool) {
        job("cube-soft", cube,
            {"--set", "body.layout=node", "--set", "method.momentum=adjoint", "--set", "material.poisson=0.3",
             "--over", "body.jitter=0,0.2", "--over", betas, "--over", gradients}),
+       job("compatible-growth", plate,
+           {"--set", "body.layout=node", "--set", "method.gradient=compatible", "--over", "body.jitter=0,0.2",
+            "--over", "method.beta=0.9,1.2,1.5", "--over", "body.spacing=0.1,0.05"}),
+       job("compatible-start", plate,
+           {"--set", "body.layout=node", "--set", "method.gradient=compatible", "--set", "method.beta=1.5",
+            "--over", "body.jitter=0,0.2", "--over", "compatible.start=standard,improved", "--over",
+            "method.kernel=cubic,quadratic,wendland-c2,quintic"}),
+       job("compatible-energy", plate,
+           {"--set", "body.layout=node", "--set", "method.gradient=compatible", "--over", "body.jitter=0,0.2",
+            "--over", "method.beta=0.9,1.2,1.5", "--over", "hourglass.alpha=0,0.1,0.5,2"}),
        job("worst-plate-standard", plate, {"--set", "method.beta=1.2", "--set", "method.gradient=standard"}),
        job("worst-plate-improved", plate,
            {"--set", "method.beta=1.2", "--set", "body.layout=node", "--set", "body.jitter=0.2"}),

@@ -18,7 +18,7 @@ StabilityStudy study_named(const std::string& name) {
 }
 
 bool stable(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
-  return !try_scene(scene_of(study, overrides, value), study.bounds, [] { return true; })->cause;
+  return try_scene(scene_of(study, overrides, value), study.bounds, [] { return true; })->stable();
 }
 
 }  // namespace

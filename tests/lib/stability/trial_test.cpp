@@ -77,6 +77,14 @@ TEST(Trial, RoundOffIsNotTakenForGrowth) {
   }
 }
 
+TEST(Trial, ASceneThatCannotBeBuiltIsRefusedAndNotStable) {
+  const Trial t = trial({"method.gradient=compatible", "method.beta=0.55", "body.jitter=0.3"}, {});
+  EXPECT_FALSE(t.cause) << "nothing ran";
+  EXPECT_FALSE(t.stable());
+  EXPECT_NE(t.refused, "");
+  EXPECT_TRUE(trial({}, {}).stable());
+}
+
 TEST(Trial, StopsWhenAsked) {
   int steps = 0;
   EXPECT_FALSE(try_scene(parse_scene(plate, "plate.toml"), {}, [&steps] { return ++steps < 5; }));
