@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "plumbline/compatible/lane_vector.hpp"
+
 namespace plumb {
 namespace {
 
@@ -72,20 +74,28 @@ double trace(const MultiplierBlock<d>& x) {
 
 template <int d>
 void apply_bonds(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<d>& result) {
+  using Lanes = LaneVector<double, lanes<d>>;
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < N.particles(); ++i) {
-    const MultiplierBlock<d>& own = x[i];
-    MultiplierBlock<d> sum = MultiplierBlock<d>::Zero();
-    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b) {
-      const MultiplierBlock<d>& far = x[N.other[b]];
-      const Vec<d> half = N.half(i, b);
-      Eigen::Matrix<double, lanes<d>, 1> t = own.col(0) - far.col(0);
-      for (int k = 0; k < d; ++k) t += half[k] * (own.col(1 + k) + far.col(1 + k));
-      t *= N.weight[b];
-      sum.col(0) += t;
-      for (int k = 0; k < d; ++k) sum.col(1 + k) += half[k] * t;
+    const auto column = [&](Index j, int k) { return load_lanes<Lanes>(x[j].data() + k * lanes<d>); };
+    Lanes own[d + 1], sum[d + 1];
+    for (int k = 0; k <= d; ++k) {
+      own[k] = column(i, k);
+      sum[k] = Lanes{};
     }
-    result[i] = sum;
+    for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b) {
+      const Index j = N.other[b];
+      Lanes t = own[0] - column(j, 0);
+      double half[d];
+      for (int k = 0; k < d; ++k) {
+        half[k] = 0.5 * (N.X[j][k] - N.X[i][k]);
+        t += half[k] * (own[1 + k] + column(j, 1 + k));
+      }
+      t *= N.weight[b];
+      sum[0] += t;
+      for (int k = 0; k < d; ++k) sum[1 + k] += half[k] * t;
+    }
+    for (int k = 0; k <= d; ++k) store_lanes(sum[k], result[i].data() + k * lanes<d>);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "plumbline/compatible/conjugate_gradients.hpp"
 
+#include <algorithm>
+
 #include "plumbline/compatible/constraints.hpp"
 
 namespace plumb {
@@ -7,6 +9,9 @@ namespace {
 
 /// Enough for twice the reduction asked for, at the rate that is measured.
 constexpr int most_iterations = 200;
+/// The approximate inverse is not symmetric, so that a new direction is not conjugate to the old ones by
+/// itself. Measured: 4 of them save a fifth of the iterations of 1, 12 hardly more.
+constexpr std::size_t most_directions = 4;
 /// A residual this many times above its least has lost touch with the true one.
 constexpr double diverged = 10;
 
@@ -32,37 +37,49 @@ void combine(double a, const Multipliers<d>& x, double b, Multipliers<d>& y) {
   for (Index i = 0; i < static_cast<Index>(x.size()); ++i) y[i] = a * x[i] + b * y[i];
 }
 
+/// z, made conjugate to the directions, becomes the first of them.
+template <int d>
+void take_direction(const BondOperator<d>& N, Multipliers<d>& z, Directions<d>& directions) {
+  for (const auto& before : directions) combine<d>(-product<d>(z, before.Np) / before.pNp, before.p, 1, z);
+  if (directions.size() < most_directions)
+    directions.push_back({Multipliers<d>(z.size()), Multipliers<d>(z.size()), 0});
+  std::rotate(directions.begin(), directions.end() - 1, directions.end());
+  Direction<d>& now = directions.front();
+  now.p.swap(z);
+  apply(N, now.p, now.Np);
+  now.pNp = product<d>(now.p, now.Np);
+}
+
 }  // namespace
 
 template <int d>
-int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multilevel,
-                        const QuadraticFields<d>& fields, Multipliers<d> r, double goal, Multipliers<d>& x) {
+int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multilevel, Multipliers<d> r,
+                        double goal, Directions<d>& directions, Multipliers<d>& x) {
   x.assign(r.size(), MultiplierBlock<d>::Zero());
-  Multipliers<d> z = x, p = x, Np = x;
-  double before = 0, least = largest<d>(r);
+  Multipliers<d> z(r.size());
+  BondWork<d> work = work_for(multilevel);
+  double least = largest<d>(r);
   for (int n = 0; n < most_iterations; ++n) {
     const double now = largest<d>(r);
     if (!(now > goal) || now > diverged * least) return n;
     least = std::min(least, now);
-    precondition(N, multilevel, r, z);
-    if (N.volume_weight > 0) add_quadratic_part<d>(fields, N.X, r, z);
-    const double rz = product<d>(r, z);
-    combine<d>(1, z, n == 0 ? 0 : rz / before, p);
-    before = rz;
-    apply(N, p, Np);
-    const double pNp = product<d>(p, Np);
-    if (!(pNp > 0) || !(rz > 0)) return n;
-    combine<d>(rz / pNp, p, 1, x);
-    combine<d>(-rz / pNp, Np, 1, r);
+    precondition(N, multilevel, r, work, z);
+    take_direction(N, z, directions);
+    const auto& [p, Np, pNp] = directions.front();
+    const double rp = product<d>(r, p);
+    if (!(pNp > 0) || !(rp > 0)) return n;
+    combine<d>(rp / pNp, p, 1, x);
+    combine<d>(-rp / pNp, Np, 1, r);
   }
   return most_iterations;
 }
 
-template int solve_by_iterations<1>(const BondOperator<1>&, const Multilevel<1>&, const QuadraticFields<1>&,
-                                    Multipliers<1>, double, Multipliers<1>&);
-template int solve_by_iterations<2>(const BondOperator<2>&, const Multilevel<2>&, const QuadraticFields<2>&,
-                                    Multipliers<2>, double, Multipliers<2>&);
-template int solve_by_iterations<3>(const BondOperator<3>&, const Multilevel<3>&, const QuadraticFields<3>&,
-                                    Multipliers<3>, double, Multipliers<3>&);
+#define PLUMB_INSTANTIATE(d)                                                                                \
+  template int solve_by_iterations<d>(const BondOperator<d>&, const Multilevel<d>&, Multipliers<d>, double, \
+                                      Directions<d>&, Multipliers<d>&);
+PLUMB_INSTANTIATE(1)
+PLUMB_INSTANTIATE(2)
+PLUMB_INSTANTIATE(3)
+#undef PLUMB_INSTANTIATE
 
 }  // namespace plumb

@@ -131,11 +131,12 @@ void iterate(Refinement<d>& refinement) {
   found.levels = static_cast<int>(levels.levels.size()) + 1;
   found.unknowns = N.particles() * d * (d + 1);
   Multipliers<d> x;
+  Directions<d> directions;
   while (found.residual > iterated_goal && found.refinements < most_refinements) {
     Multipliers<d> right = refinement.wrong;
     remove_null_part<d>(quadratic, N.X, right);
     const double goal = std::max(digits * found.residual, iterated_goal / 2);
-    found.iterations += solve_by_iterations(N, levels, quadratic, std::move(right), goal, x);
+    found.iterations += solve_by_iterations(N, levels, std::move(right), goal, directions, x);
     if (!refinement.step(x, 0.5)) return;
   }
 }

@@ -15,7 +15,7 @@ namespace plumb {
 namespace {
 
 /// Changes whenever the projection would find another table from the same start.
-constexpr std::string_view method = "compatible 1";
+constexpr std::string_view method = "compatible 2";
 
 template <int d>
 std::size_t bytes_of(const AreaTable<d>& table) {

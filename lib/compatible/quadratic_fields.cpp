@@ -58,59 +58,42 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& gram) {
          eigen.eigenvalues().tail(count).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// Coefficients from products with r, by one of the two matrices, added to z.
-template <int d>
-void add_fields(const QuadraticFields<d>& fields, const Eigen::MatrixXd& matrix, const std::vector<Vec<d>>& X,
-                double sign, const Multipliers<d>& r, Multipliers<d>& z) {
-  constexpr int m = QuadraticFields<d>::scalars;
-  Eigen::Matrix<double, m, d> part = Eigen::Matrix<double, m, d>::Zero();
-  for (std::size_t i = 0; i < X.size(); ++i)
-    part += fields.at(X[i]).transpose() * r[i].template topRows<d>().transpose();
-  const Eigen::VectorXd c = sign * (matrix * Eigen::Map<const Eigen::VectorXd>(part.data(), part.size()));
-  part = Eigen::Map<const Eigen::Matrix<double, m, d>>(c.data());
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < static_cast<Index>(X.size()); ++i)
-    z[i].template topRows<d>() += (fields.at(X[i]) * part).transpose();
-}
-
 }  // namespace
 
 template <int d>
 QuadraticFields<d> quadratic_fields(const BondOperator<d>& N) {
-  QuadraticFields<d> fields{Vec<d>::Zero(), 0, {}, {}};
+  QuadraticFields<d> fields{Vec<d>::Zero(), 0, {}};
   for (const auto& x : N.X) fields.centre += x / static_cast<double>(N.X.size());
   for (const auto& x : N.X) fields.radius = std::max(fields.radius, (x - fields.centre).norm());
   const auto [gram, matrix] = products(fields, N);
   const Eigen::MatrixXd basis = orthonormal(gram);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(basis.transpose() * matrix * basis);
   const Eigen::MatrixXd vectors = basis * eigen.eigenvectors();
-  fields.along_null = fields.inverse = Eigen::MatrixXd::Zero(gram.rows(), gram.rows());
-  for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
+  fields.along_null = Eigen::MatrixXd::Zero(gram.rows(), gram.rows());
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k)
     // the others are of the order of the largest: |div q|^2 of fields of one size
-    const bool null = !(eigen.eigenvalues()[k] > 1e-10 * eigen.eigenvalues().maxCoeff());
-    (null ? fields.along_null : fields.inverse) +=
-        vectors.col(k) * vectors.col(k).transpose() / (null ? 1.0 : eigen.eigenvalues()[k]);
-  }
+    if (!(eigen.eigenvalues()[k] > 1e-10 * eigen.eigenvalues().maxCoeff()))
+      fields.along_null += vectors.col(k) * vectors.col(k).transpose();
   return fields;
 }
 
 template <int d>
 void remove_null_part(const QuadraticFields<d>& fields, const std::vector<Vec<d>>& X, Multipliers<d>& r) {
-  add_fields<d>(fields, fields.along_null, X, -1, r, r);
+  constexpr int m = QuadraticFields<d>::scalars;
+  Eigen::Matrix<double, m, d> part = Eigen::Matrix<double, m, d>::Zero();
+  for (std::size_t i = 0; i < X.size(); ++i)
+    part += fields.at(X[i]).transpose() * r[i].template topRows<d>().transpose();
+  const Eigen::VectorXd c = fields.along_null * Eigen::Map<const Eigen::VectorXd>(part.data(), part.size());
+  part = Eigen::Map<const Eigen::Matrix<double, m, d>>(c.data());
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < static_cast<Index>(X.size()); ++i)
+    r[i].template topRows<d>() -= (fields.at(X[i]) * part).transpose();
 }
 
-template <int d>
-void add_quadratic_part(const QuadraticFields<d>& fields, const std::vector<Vec<d>>& X,
-                        const Multipliers<d>& r, Multipliers<d>& z) {
-  add_fields<d>(fields, fields.inverse, X, 1, r, z);
-}
-
-#define PLUMB_INSTANTIATE(d)                                                                                 \
-  template struct QuadraticFields<d>;                                                                        \
-  template QuadraticFields<d> quadratic_fields<d>(const BondOperator<d>&);                                   \
-  template void remove_null_part<d>(const QuadraticFields<d>&, const std::vector<Vec<d>>&, Multipliers<d>&); \
-  template void add_quadratic_part<d>(const QuadraticFields<d>&, const std::vector<Vec<d>>&,                 \
-                                      const Multipliers<d>&, Multipliers<d>&);
+#define PLUMB_INSTANTIATE(d)                                               \
+  template struct QuadraticFields<d>;                                      \
+  template QuadraticFields<d> quadratic_fields<d>(const BondOperator<d>&); \
+  template void remove_null_part<d>(const QuadraticFields<d>&, const std::vector<Vec<d>>&, Multipliers<d>&);
 PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)

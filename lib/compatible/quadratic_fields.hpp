@@ -4,8 +4,7 @@
 namespace plumb {
 
 /// The fields l of degree 2 with L = grad l. With fixed volumes the normal matrix does not see them on any
-/// cloud, otherwise those without divergence (THEORY (11.6)); the rest it sees by w_V |div l|^2 alone, which
-/// a preconditioner for fixed volumes knows nothing of.
+/// cloud, otherwise those without divergence (THEORY (11.6)).
 template <int d>
 struct QuadraticFields {
   static constexpr int scalars = (d + 1) * (d + 2) / 2, size = d * scalars;
@@ -14,7 +13,6 @@ struct QuadraticFields {
   double radius;
   /// Coefficients of fields (those of component 0 first) from products with them.
   Eigen::MatrixXd along_null;  ///< of the part in the null space
-  Eigen::MatrixXd inverse;     ///< of the field that the matrix answers with the rest
 
   Values at(const Vec<d>& X) const;
 };
@@ -25,10 +23,5 @@ QuadraticFields<d> quadratic_fields(const BondOperator<d>& N);
 /// Takes the part of r that lies in the null space out of it.
 template <int d>
 void remove_null_part(const QuadraticFields<d>& fields, const std::vector<Vec<d>>& X, Multipliers<d>& r);
-
-/// Adds the field of degree 2 whose image is r as far as such fields go.
-template <int d>
-void add_quadratic_part(const QuadraticFields<d>& fields, const std::vector<Vec<d>>& X,
-                        const Multipliers<d>& r, Multipliers<d>& z);
 
 }  // namespace plumb

@@ -258,12 +258,7 @@ SplineMatrix<d> coarser(const SplineMatrix<d>& fine) {
 template <int d>
 void apply(const SplineMatrix<d>& matrix, const Coefficients<d>& x, Coefficients<d>& result) {
   constexpr int lines = row_size<d> / width;
-  std::array<Index, lines> offset;
-  for (int n = 0; n < lines; ++n) {
-    offset[n] = -spline_reach;
-    for (int k = 1, rest = n; k < d; ++k, rest /= width)
-      offset[n] += (rest % width - spline_reach) * matrix.grid.stride[k];
-  }
+  const auto offset = line_offsets<d>(matrix.grid);
 #pragma omp parallel for schedule(static)
   for (Index r = 0; r < matrix.rows(); ++r) {
     const double* row = matrix.row(r);

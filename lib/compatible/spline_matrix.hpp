@@ -9,6 +9,19 @@ inline constexpr int row_size = d == 1   ? 9
                                 : d == 2 ? 81
                                          : 729;
 
+/// From a row's place to the first entry of each line of its columns, lines along axis 0.
+template <int d>
+std::array<Index, row_size<d> / 9> line_offsets(const SplineGrid<d>& grid) {
+  constexpr int width = 2 * spline_reach + 1;
+  std::array<Index, row_size<d> / width> offset;
+  for (int n = 0; n < row_size<d> / width; ++n) {
+    offset[n] = -spline_reach;
+    for (int k = 1, rest = n; k < d; ++k, rest /= width)
+      offset[n] += (rest % width - spline_reach) * grid.stride[k];
+  }
+  return offset;
+}
+
 /// The normal matrix on spline fields, P^T C W C^T P: rows for the splines that some particle sees, entries
 /// by the offset of the other spline, axis 0 fastest. One matrix serves all components.
 template <int d>

@@ -118,6 +118,18 @@ void pack(BondTable<d>& table, const std::vector<SlotRow<d>>& rows,
   table.margin += W;  // the particle of an image is no farther than the image, so it is a neighbour, too
 }
 
+/// Drops the force weights if they are the stencil's numbers, up to the rounding of one division and one
+/// product: V_i c_ij = -V_j c_ji makes (5.2) and (5.3) the same, THEORY (11.4).
+template <int d>
+void share_vectors(BondTable<d>& table) {
+  double most = 0, difference = 0;
+  for (std::size_t n = 0; n < table.force.size(); ++n) {
+    most = std::max(most, std::abs(table.stencil[n]));
+    difference = std::max(difference, std::abs(table.force[n] - table.stencil[n]));
+  }
+  if (difference <= 1e-14 * most) table.force = AlignedVector();
+}
+
 }  // namespace
 
 template <int d>
@@ -159,6 +171,7 @@ BondTable<d> make_bond_table(Cloud<d>& cloud, const BondOptions<d>& options) {
     if (options.adjust_force) adjust<d>(rows[k], i, seen, options);
   }
   pack(table, rows, rows_of_slots(seen, kinds, table), options);
+  if (options.project && !options.adjust_force) share_vectors(table);
   shrink_to_fit(table.begin, table.offset, table.separation, table.stencil, table.force, table.identity,
                 table.own_force, table.laplacian, table.outer_laplacian, table.own_outer);
   if (table.mirror) {

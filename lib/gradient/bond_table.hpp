@@ -62,7 +62,7 @@ struct BondTable {
   std::vector<std::int32_t> offset;  ///< per bond: slot of j minus slot of i
   AlignedVector separation;          ///< per bond, d x width: X_ij [m]
   AlignedVector stencil;             ///< per bond, d x width: c_ij [1/m]
-  AlignedVector force;               ///< per bond, d x width: a_ij [1/m]
+  AlignedVector force;               ///< per bond, d x width: a_ij [1/m]; empty where c_ij serves for both
   AlignedVector identity;   ///< per row, d x d x width: sum_j X_ij (x) c_ij, I for a consistent estimator
   AlignedVector own_force;  ///< per row, d x width: s_i [1/m]
   AlignedVector laplacian;  ///< per bond, width: V_j w_ij [1/m^2]; empty unless asked for
@@ -73,6 +73,9 @@ struct BondTable {
   std::int64_t most_neighbours = 0;
   Index margin = 0;  ///< largest |offset| plus one pack
 
+  /// a_ij [1/m], wherever they are kept. Compatible bonds have a_ij = c_ij, THEORY (11.4): F and the force
+  /// then read the same vectors, those of the particle's own row.
+  const AlignedVector& force_weights() const { return force.empty() ? stencil : force; }
   Index rows() const { return static_cast<Index>(begin.size()) - 1; }
   std::size_t bytes() const;  ///< without `mirror`
 };

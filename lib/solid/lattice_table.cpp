@@ -89,7 +89,7 @@ SourceMap sources_of(const BondTable<d>& bonds, Index p, int most_shift) {
       for (int b = 0; b < d; ++b) {
         ask(pack * W + lane, 0, b, bonds.own_force[(row * d + b) * W + lane]);
         for (std::int64_t n = bonds.begin[row]; n < bonds.begin[row + 1]; ++n)
-          ask(pack * W + lane, bonds.offset[n], b, weights_of(bonds, bonds.force, n)[b * W + lane]);
+          ask(pack * W + lane, bonds.offset[n], b, weights_of(bonds, bonds.force_weights(), n)[b * W + lane]);
       }
   }
   return sources;

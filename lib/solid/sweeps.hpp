@@ -8,9 +8,51 @@
 
 namespace plumb {
 
+/// The d numbers from an address in the lanes of a register that has room for one more in 3D.
+template <int d>
+using VectorPack = Pack<d == 3 ? 4 : d>;
+template <int d>
+inline VectorPack<d> load_vector(const double* from) {
+  double lanes[sizeof(VectorPack<d>) / sizeof(double)] = {};
+  std::copy_n(from, d, lanes);
+  return VectorPack<d>::load(lanes);
+}
+
+/// Calls use(n, vector) for the bonds first .. end of a row of one particle, with their vectors in a
+/// register. In 3D the fourth lane holds the next bond's first number, so the last one is read apart.
+template <int d, class Use>
+inline void for_vectors(const double* vectors, std::int64_t first, std::int64_t end, Use&& use) {
+  if (first == end) return;
+  for (std::int64_t n = first; n + 1 < end; ++n) use(n, VectorPack<d>::load(vectors + n * d));
+  use(end - 1, load_vector<d>(vectors + (end - 1) * d));
+}
+
+/// Deformation gradient of one particle, THEORY (10.1), by rows: (u_j - u_i)_a c_ij in one register.
+template <int d>
+inline Mat<d, Pack<1>> deformation_gradient_by_rows(const BondTable<d>& bonds, const Field& u, Index i) {
+  using Real = VectorPack<d>;
+  Real F[d], own[d];
+  for (int a = 0; a < d; ++a) {
+    own[a] = Real(u[a][i]);
+    F[a] = load_vector<d>(bonds.identity.data() + (bonds.row[i] * d + a) * Index{d});
+  }
+  const double* at[d];
+  for (int a = 0; a < d; ++a) at[a] = u[a] + i;
+  const std::int32_t* offset = bonds.offset.data();
+  for_vectors<d>(bonds.stencil.data(), bonds.begin[bonds.row[i]], bonds.begin[bonds.row[i] + 1],
+                 [&](std::int64_t n, Real c) {
+                   for (int a = 0; a < d; ++a) F[a] += (Real(at[a][offset[n]]) - own[a]) * c;
+                 });
+  Mat<d, Pack<1>> result;
+  for (int a = 0; a < d; ++a)
+    for (int b = 0; b < d; ++b) result(a, b) = F[a][b];
+  return result;
+}
+
 /// Deformation gradients of one pack: F_i = sum_j (x_j - x_i) (x) c_ij, THEORY (3.1).
 template <int d, int W>
 inline Mat<d, Pack<W>> deformation_gradient(const BondTable<d>& bonds, const Field& u, Index pack) {
+  if constexpr (W == 1 && d > 1) return deformation_gradient_by_rows<d>(bonds, u, pack);
   using Real = Pack<W>;
   const Index i = pack * W;
   const std::int32_t row = bonds.row[pack];
@@ -95,14 +137,15 @@ void force_sweep(const BondTable<d>& bonds, const StressWindow& P, const Block& 
   static_assert(W ==
                 1);  // a pack of others may lie in two blocks; lattice_force_sweep() reads whole packs only
   using Real = Pack<W>;
+  const double* weights = bonds.force_weights().data();
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
     const std::int32_t row = bonds.row[pack];
     Real sums[d][d];  // by b of P_ab a_b as well: one chain of additions would wait for each of them
-    const auto add = [&](Index j, const double* weights) {
+    const auto add = [&](Index j, const double* a_ij) {
       const Index place = P.place(j);
       Real weight[d];
-      for (int b = 0; b < d; ++b) weight[b] = Real::load(weights + b * W);
+      for (int b = 0; b < d; ++b) weight[b] = Real::load(a_ij + b * W);
       for (int a = 0; a < d; ++a)
         for (int b = 0; b < d; ++b) sums[a][b] += Real::load(P[a * d + b] + place) * weight[b];
     };
@@ -110,8 +153,7 @@ void force_sweep(const BondTable<d>& bonds, const StressWindow& P, const Block& 
       for (auto& sum : by_component) sum = Real(0);
     add(i, bonds.own_force.data() + static_cast<Index>(row) * d * W);
     const std::int64_t end = bonds.begin[row + 1];
-    for (std::int64_t n = bonds.begin[row]; n < end; ++n)
-      add(i + bonds.offset[n], bonds.force.data() + n * d * W);
+    for (std::int64_t n = bonds.begin[row]; n < end; ++n) add(i + bonds.offset[n], weights + n * d * W);
     for (int a = 0; a < d; ++a) {
       Real f = sums[a][0];
       for (int b = 1; b < d; ++b) f += sums[a][b];

@@ -26,7 +26,7 @@ LatticeSymbol<d>::LatticeSymbol(BondOptions<d> options, double beta) {
     for (int k = 0; k < d; ++k) {
       X[k] = t.separation[(n * d + k) * t.width + lane];
       c[k] = t.stencil[(n * d + k) * t.width + lane];
-      a[k] = t.force[(n * d + k) * t.width + lane];
+      a[k] = t.force_weights()[(n * d + k) * t.width + lane];
     }
     if (X.norm() == 0) continue;  // this lane has no such neighbour
     separation_.push_back(X);

@@ -201,7 +201,7 @@ TEST_CASE("conservation: the forces of a pair are opposite", "[conservation]") {
       for (std::int64_t n = t.begin[t.row[i]]; n < t.begin[t.row[i] + 1]; ++n) {
         const Index j = i + t.offset[n];
         for (int k = 0; k < 3; ++k) {
-          weight_of_P_j[{i, j}][k] = solid.cloud.V[i] * t.force[n * 3 + k];
+          weight_of_P_j[{i, j}][k] = solid.cloud.V[i] * t.force_weights()[n * 3 + k];
           stencil[{i, j}][k] = solid.cloud.V[i] * t.stencil[n * 3 + k];
         }
       }

@@ -6,59 +6,13 @@
 #include <set>
 
 #include "plumbline/compatible/clipped_surface.hpp"
-#include "plumbline/compatible/compatible.hpp"
 #include "plumbline/geometry/clipped_cells.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
 #include "tests/support/clouds.hpp"
-#include "tests/support/solids.hpp"
+#include "tests/support/compatible.hpp"
 
 namespace plumb {
 namespace {
-
-template <int d>
-struct Made {
-  Cloud<d> cloud;
-  std::vector<std::vector<BondConstants<d>>> bonds;
-  std::vector<Vec<d>> B;
-  CompatibleReport report;
-};
-
-template <int d>
-Made<d> compatible(Cloud<d> cloud, const Surface<d>& surface, double beta = 0.9,
-                   double volume_weight = CompatibleOptions<d>{}.volume_weight) {
-  const BondOptions<d> options = testing::options<d>({.beta = beta}, cloud.spacing);
-  const Neighbours all = find_neighbours<d>(cloud, options.kernel.support * options.smoothing_length);
-  Made<d> made;
-  for (Index i = 0; i < cloud.size(); ++i) made.bonds.push_back(bonds_of<d>(cloud, all.of(i), i, options));
-  CompatibleOptions<d> how;
-  how.volume_weight = volume_weight;
-  how.surface = [surface](const Cloud<d>&) { return surface; };
-  made.B = boundary_vectors<d>(cloud, options.kernel, options.smoothing_length, surface).B;
-  made.report = make_compatible<d>(cloud, made.bonds, options.kernel, options.smoothing_length, how);
-  made.cloud = std::move(cloud);
-  return made;
-}
-
-/// Closed, exact, antisymmetric; and the volumes fill the body.
-template <int d>
-void expect_compatible(const Made<d>& made, double volume) {
-  const double area = std::pow(made.cloud.spacing, d - 1), cell = std::pow(made.cloud.spacing, d);
-  std::vector<Vec<d>> closed = made.B;
-  double total = 0;
-  for (Index i = 0; i < made.cloud.size(); ++i) {
-    Mat<d> exact = -made.cloud.V[i] * Mat<d>::Identity();
-    for (const auto& ij : made.bonds[i]) {
-      const Vec<d> A = 2 * made.cloud.V[i] * ij.stencil;
-      closed[i] += A;
-      exact += A * ij.separation.transpose() / 2;
-    }
-    total += made.cloud.V[i];
-    EXPECT_LT(closed[i].norm(), 1e-12 * area);  // the projection's own tolerance
-    EXPECT_LT(exact.norm(), 1e-12 * cell);
-    EXPECT_GT(made.cloud.V[i], 0);
-  }
-  EXPECT_NEAR(total / volume, 1, 1e-12);
-}
 
 template <int d>
 std::vector<std::pair<std::string, Shape<d>>> shapes() {
@@ -96,9 +50,9 @@ void shapes_become_compatible(double spacing) {
         const Cloud<d> cloud = shaped_cloud<d>(shape, {spacing, layout, blue, jitter, 2});
         const Surface<d> surface = clipped_surface<d>(cloud, shape);
         try {
-          const Made<d> made = compatible<d>(cloud, surface, beta);
+          const auto made = testing::projected<d>(cloud, surface, beta);
           EXPECT_LT(made.report.divergence_remainder, 1e-13);
-          expect_compatible(made, surface.volume);
+          testing::expect_compatible(made, surface.volume);
         } catch (const InputError& error) {
           // edges and corners of a body get no particles of their own on node layouts, and a random cloud may
           // leave a sharp corner with too few: it may be refused there
