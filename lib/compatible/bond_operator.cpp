@@ -74,7 +74,7 @@ template <int d>
 void apply_bonds(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<d>& result) {
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < N.particles(); ++i) {
-    const MultiplierBlock<d>& own = x[i];
+    const MultiplierBlock<d> own = x[i];
     MultiplierBlock<d> sum = MultiplierBlock<d>::Zero();
     for (Index b = N.begin[i]; b < N.begin[i + 1]; ++b) {
       const MultiplierBlock<d>& far = x[N.other[b]];

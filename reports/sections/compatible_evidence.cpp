@@ -97,7 +97,7 @@ std::vector<Entry> row_of(const Problem& p, const Choice& c, const Choice& s, co
     row.push_back(bound(fit.at("order")));
     row.push_back(bound(fit.at("ci95").at(0)));
     row.push_back(bound(fit.at("ci95").at(1)));
-    row.emplace_back(fit.at("verdict").get<std::string>());
+    row.push_back(fit.at("verdict").get<std::string>());
   }
   row.resize(8);
   return row;
