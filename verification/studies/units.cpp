@@ -78,6 +78,12 @@ double difference(const Field& one, const Field& si, double unit, const Solid<d>
   return apart / most;
 }
 
+/// What rounding may do to a run. Particles are put on a curved surface along its normal, which comes from
+/// differences over 1e-6 spacings: 1e-16/1e-6 of it is rounding, whatever the unit.
+double rounding(const Scene& scene) {
+  return scene.body.holes.empty() ? 1e-12 : 1e-8;
+}
+
 /// Runs both and compares every particle; small bodies also by their spectrum.
 template <int d>
 void expect_the_same(const Scene& si, const Units& u) {
@@ -89,9 +95,9 @@ void expect_the_same(const Scene& si, const Units& u) {
   REQUIRE(ended_too.completed());
   CHECK(reference.state.step > 30);
   CHECK(other.state.step == reference.state.step);
-  CHECK(ended_too.dt.first * u.time == Approx(ended.dt.first).epsilon(1e-13));
-  CHECK(difference<d>(other.state.u, reference.state.u, u.length, reference.solid) < 1e-12);
-  CHECK(difference<d>(other.state.v, reference.state.v, u.length / u.time, reference.solid) < 1e-12);
+  CHECK(ended_too.dt.first * u.time == Approx(ended.dt.first).epsilon(rounding(si)));
+  CHECK(difference<d>(other.state.u, reference.state.u, u.length, reference.solid) < rounding(si));
+  CHECK(difference<d>(other.state.v, reference.state.v, u.length / u.time, reference.solid) < rounding(si));
 }
 
 template <int d>
@@ -99,10 +105,20 @@ void expect_the_same_spectrum(const Scene& si, const Units& u) {
   const Simulation<d> one = make_simulation<d>(si), two = make_simulation<d>(scaled(si, u));
   LinearOperator<d> reference(one.solid, one.supports), other(two.solid, two.supports);
   const Spectrum a = spectrum_of(reference), b = spectrum_of(other);
-  CHECK(b.largest == Approx(a.largest).epsilon(1e-12));
-  CHECK(b.lowest_nonrigid == Approx(a.lowest_nonrigid).epsilon(1e-11));  // rounding is of the largest one
+  CHECK(b.largest == Approx(a.largest).epsilon(rounding(si)));
+  CHECK(b.lowest_nonrigid ==
+        Approx(a.lowest_nonrigid).epsilon(10 * rounding(si)));  // rounding is of the largest one
   CHECK(b.rigid == a.rigid);
   CHECK(b.near_zero_not_rigid == a.near_zero_not_rigid);
+}
+
+/// Overrides; what begins with a bracket is a section of its own.
+Scene scene_with(const char* text, const std::vector<std::string>& changes) {
+  std::string all = text;
+  std::vector<std::string> overrides;
+  for (const auto& change : changes)
+    change.front() == '[' ? void(all += change) : overrides.push_back(change);
+  return parse_scene(all, "units.toml", overrides);
 }
 
 constexpr const char* plate = R"toml([scene]
@@ -121,7 +137,7 @@ cfl = 0.3
 [initial]
 velocity = ["2*sin(3*X+2*Y)", "3*cos(2*X-Y)"]
 [[boundary]]
-where = "X < -0.299"
+where = "X < -0.24"
 kind = "clamped"
 )toml";
 
@@ -134,8 +150,8 @@ const std::vector<std::vector<std::string>> plates = {
     {"method.momentum=symmetrised", "method.integrator=rk3", "jst.eta4=0.125"},
     {"method.momentum=symmetrised", "jst.eta2=0.01", "jst.outer=transpose", "jst.laplacian_factor=1"},
     {"hourglass.alpha=1", "body.jitter=0.2"},
-    {"projection={}", "method.momentum=symmetrised", "method.integrator=rk3"},
-    {"projection={}", "method.momentum=symmetrised", "method.integrator=verlet", "jst.eta4=0.125"},
+    {"[projection]\n", "method.momentum=symmetrised", "method.integrator=rk3"},
+    {"[projection]\n", "method.momentum=symmetrised", "method.integrator=verlet", "jst.eta4=0.125"},
     {"method.gradient=compatible"},
     {"method.gradient=compatible", "body.jitter=0.2", "hourglass.alpha=1"},
     {"method.gradient=compatible", "body.jitter=0.2", "compatible.start=standard",
@@ -149,7 +165,7 @@ const std::vector<std::vector<std::string>> plates = {
 
 TEST_CASE("every term in other units and at other scales gives the same motion", "[units]") {
   for (const auto& overrides : plates) {
-    const Scene si = parse_scene(plate, "plate.toml", overrides);
+    const Scene si = scene_with(plate, overrides);
     for (const Units& u : others) {
       INFO(fmt::format("{}, length {:g}", fmt::join(overrides, " "), u.length));
       expect_the_same<2>(si, u);
@@ -159,8 +175,8 @@ TEST_CASE("every term in other units and at other scales gives the same motion",
 
 TEST_CASE("the spectrum is the same in other units and at other scales", "[units]") {
   for (const auto& overrides : plates) {
-    if (!overrides.empty() && overrides.front() == "projection={}") continue;  // of states, not of forces
-    const Scene si = parse_scene(plate, "plate.toml", overrides);
+    if (!overrides.empty() && overrides.front() == "[projection]\n") continue;  // of states, not of forces
+    const Scene si = scene_with(plate, overrides);
     for (const Units& u : others) {
       INFO(fmt::format("{}, length {:g}", fmt::join(overrides, " "), u.length));
       expect_the_same_spectrum<2>(si, u);
@@ -171,7 +187,7 @@ TEST_CASE("the spectrum is the same in other units and at other scales", "[units
 TEST_CASE("bodies in space and on rollers are the same in other units and at other scales", "[units]") {
   constexpr const char* cube = R"toml([scene]
 dimension = 3
-end_time = "4 ms"
+end_time = "8 ms"
 [body]
 size = [0.6, 0.5, 0.4]
 spacing = 0.1
@@ -185,18 +201,17 @@ cfl = 0.3
 spin = [10, 20, 30]
 )toml";
   const std::string rollers =
-      "boundary=[{face='x-', kind='roller'}, {face='y-', kind='roller'}, {face='x+', kind='velocity', "
-      "velocity=['2', '0', '3*Y']}]";
+      "[[boundary]]\nface = 'x-'\nkind = 'roller'\n[[boundary]]\nface = 'y-'\nkind = 'roller'\n";
+  const std::string pull = "[[boundary]]\nface = 'x+'\nkind = 'velocity'\nvelocity = ['2', '0', '3*Y']\n";
   const std::vector<std::vector<std::string>> bodies = {
       {},
       {"body.jitter=0.2", "hourglass.alpha=1", "body.cloud=blue-noise"},
-      {"body.layout=mirror", "initial={velocity=['0', '3*X*Y', '5*Z']}",
-       "boundary=[{face='x-', kind='roller'}, {face='y-', kind='roller'}]", "jst.eta4=0.125"},
-      {rollers, "method.momentum=symmetrised", "method.integrator=rk3", "jst.eta4=0.125"},
-      {"projection={}", "method.momentum=symmetrised", "jst.eta4=0.125"},
+      {rollers, "body.layout=mirror", "initial.velocity=['0', '3*X*Y', '5*Z']", "jst.eta4=0.125"},
+      {rollers + pull, "method.momentum=symmetrised", "method.integrator=rk3", "jst.eta4=0.125"},
+      {"[projection]\n", "method.momentum=symmetrised", "jst.eta4=0.125"},
       {"method.gradient=compatible", "body.jitter=0.2", "hourglass.alpha=0.5"}};
   for (const auto& overrides : bodies) {
-    const Scene si = parse_scene(cube, "cube.toml", overrides);
+    const Scene si = scene_with(cube, overrides);
     for (const Units& u : others) {
       INFO(fmt::format("{}, length {:g}", fmt::join(overrides, " "), u.length));
       expect_the_same<3>(si, u);

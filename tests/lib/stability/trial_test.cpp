@@ -51,11 +51,12 @@ TEST(Trial, EveryCauseIsFound) {
 // Also where it tears and particles fly off: faster than waves travel, so it does.
 TEST(Trial, TheStretchIsThatOfWhatPulls) {
   const auto pulled = [](const char* velocity) {
-    return trial({fmt::format("boundary=[{{face='x-', kind='clamped'}}, {{face='x+', kind='velocity', "
-                              "velocity=['{}', '0']}}]",
-                              velocity),
-                  "initial.velocity=['0', '0']"},
-                 {});
+    const std::string boundaries = fmt::format(
+        "[[boundary]]\nface = 'x-'\nkind = 'clamped'\n[[boundary]]\nface = 'x+'\nkind = 'velocity'\n"
+        "velocity = ['{}', '0']\n",
+        velocity);
+    const Scene scene = parse_scene(plate + boundaries, "plate.toml", {"initial.velocity=['0', '0']"});
+    return *try_scene(scene, {}, [] { return true; });
   };
   const Trial slow = pulled("1"), torn = pulled("400");
   EXPECT_FALSE(slow.cause);
