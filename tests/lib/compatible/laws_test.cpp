@@ -94,7 +94,7 @@ TYPED_TEST(CompatibleLaws, TheForceIsTheAdjointOfTheDeformationGradient) {
       of_stress += solid.cloud.V[i] * P.cwiseProduct(rate).sum();
     }
     EXPECT_NEAR(of_force, -of_stress, 1e-11 * size);  // round-off; sums of P over a body cancel to the forces
-    EXPECT_GT(std::abs(of_stress), 1e-3 * size);
+    EXPECT_GT(std::abs(of_stress), 1e-5 * size);      // random signs: some ten thousandths of it may be left
   }
 }
 
