@@ -1,4 +1,5 @@
-// The paper's columns by compatible bonds (THEORY chapters 11, 12): twisted, bent, pulled, without dissipation.
+// The paper's columns by compatible bonds (THEORY chapters 11, 12): twisted, bent, pulled, without
+// dissipation.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
