@@ -110,7 +110,8 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
     if (t.mirror)
       for (int k = 0; k < d; ++k) own[k] += t.mirror->own_force[(row * d + k) * t.width + lane];
     put(i, own);
-    for_each_bond<d>(t, t.force_weights(), slot, [&](Index other, const Vec<d>& a) { put(particle[other], a); });
+    for_each_bond<d>(t, t.force_weights(), slot,
+                     [&](Index other, const Vec<d>& a) { put(particle[other], a); });
     for_each_image<d>(
         t, &MirrorBonds<d>::force, slot,
         [&](Index other, const Vec<d>& signs, const Vec<d>& a) { put(particle[other], a, signs); });
