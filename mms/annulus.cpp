@@ -37,7 +37,7 @@ Cloud<2> polar_cloud(double inner, double outer, double spacing) {
     const double sector = pi * (high * high - low * low) / around;
     for (int m = 0; m < around; ++m) {
       const double angle = 2 * pi * m / around;
-      cloud.X.push_back(radius * Vec<2>(std::cos(angle), std::sin(angle)));
+      cloud.X.emplace_back(radius * Vec<2>(std::cos(angle), std::sin(angle)));
       cloud.V.push_back(sector);
     }
   }

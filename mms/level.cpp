@@ -91,6 +91,7 @@ Sitting::Json json_of(const StudyLevel& level) {
           {"exact_gauss", level.exact_gauss ? json_of(*level.exact_gauss) : Sitting::Json()},
           {"cpu_s", level.cpu_s},
           {"wall_s", level.wall_s},
+          {"setup_s", level.setup_s},
           {"pair_evaluations", level.pair_evaluations},
           {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()}};
 }
@@ -107,6 +108,7 @@ StudyLevel level_of(const Sitting::Json& part) {
   if (!part["exact_gauss"].is_null()) level.exact_gauss = norms_of(part["exact_gauss"]);
   level.cpu_s = part["cpu_s"];
   level.wall_s = part["wall_s"];
+  level.setup_s = part["setup_s"];
   level.pair_evaluations = part["pair_evaluations"];
   if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
   return level;
@@ -176,6 +178,7 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
 template <int d>
 LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
                       Sitting& sitting) {
+  const std::clock_t begin = std::clock();
   DrivenBody<d> body = driven_body(study, solution, spacing, body_force);
   Simulation<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
@@ -187,6 +190,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   const Pace<d> pace(sitting, simulation);
   const RunResult result = run<d>(solid, simulation.state, body.stepper, simulation.control,
                                   [&](const Solid<d>&, const State<d>&) { return pace.tell(), true; });
+  out.level.setup_s = static_cast<double>(cpu - begin) / CLOCKS_PER_SEC;
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;

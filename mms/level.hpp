@@ -22,6 +22,7 @@ struct StudyLevel {
   ErrorNorms exact;                       ///< norms of the exact field: what errors are relative to
   std::optional<ErrorNorms> exact_gauss;  ///< by the paper's quadrature, if asked for
   double cpu_s = 0, wall_s = 0;           ///< of the time steps, without set-up
+  double setup_s = 0;                     ///< CPU time of the set-up
   std::int64_t pair_evaluations = 0;
   std::optional<std::string> failure;  ///< cause and time, if the run became unstable
 };

@@ -104,7 +104,7 @@ class Interpolator {
       std::string where = fmt::format("{:g}", X[0]);
       for (int a = 1; a < d; ++a) where += fmt::format(", {:g}", X[a]);
       throw InputError(fmt::format("the Gauss norms do not exist: no interpolation at ({})", where),
-                       error.problem(), "Use layout = \"node\", a larger beta, or quadrature = \"nodal\".");
+                       error.problem(), R"(Use layout = "node", a larger beta, or quadrature = "nodal".)");
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include "mms/level.hpp"
 #include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/solid/evaluate.hpp"
 
 namespace plumb::mms {
 namespace {

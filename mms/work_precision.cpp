@@ -8,21 +8,38 @@
 #include <nlohmann/json.hpp>
 
 #include "mms/level.hpp"
+#include "plumbline/core/error.hpp"
 
 namespace plumb::mms {
 namespace {
 
 /// One run of a level; the first one with its norms and those of the exact field.
 template <int d>
-Sitting::Json make_run(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
+Sitting::Json run_of(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
   if (warm_up) measure<d>(study, exact_field<d>(solution, end_time(study)), run);
   return {{"level", json_of(run.level)}};
 }
 
+/// The same, or why there is none.
+template <int d>
+Sitting::Json make_run(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
+  try {
+    return run_of<d>(study, spacing, warm_up, sitting);
+  } catch (const InputError& error) {
+    return {{"refused", error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")")}};
+  }
+}
+
 /// Puts what a run measured into the point: the least time, and the span to the slowest.
 void count(const Sitting::Json& part, WorkPoint& point, bool warm_up) {
+  if (part.contains("refused")) {
+    point.refused = true;
+    point.failure = part["refused"].get<std::string>();
+    point.error = point.cpu_s = point.wall_s = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   const StudyLevel level = level_of(part["level"]);
   if (warm_up) {
     point.error = level.nodal.l2 / level.exact.l2;
@@ -122,6 +139,8 @@ WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
   sitting.tell(work, progress, "pair evaluations");
   for (int turn = 0; turn < turns; ++turn)
     for (WorkPoint& point : result.points) run_once(variants[point.variant], turn, point, sitting);
+  if (std::ranges::all_of(result.points, &WorkPoint::refused))
+    throw InputError("no level of the study can be built", result.points.front().failure.value_or(""), "");
   for (const bool cpu : {true, false}) {
     mark_front(result, cpu);
     find_cheapest(result, errors, cpu);

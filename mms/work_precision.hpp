@@ -26,6 +26,7 @@ struct WorkPoint {
   std::int64_t pair_evaluations = 0;   ///< the same on every machine
   bool front_cpu = false, front_work = false;  ///< on the Pareto front: no point is as cheap and as accurate
   std::optional<std::string> failure;
+  bool refused = false;  ///< nothing ran: the failure says why the body cannot be built
 };
 
 /// Which variant reaches an error at the least cost.
@@ -45,7 +46,8 @@ struct WorkPrecision {
 /// Runs every level of every variant once to warm up and `repeats` times more, alternating between the
 /// variants so that a slow minute of the machine does not fall on one of them. Costs between two levels are
 /// interpolated in logarithms; nothing is extrapolated to errors below the finest level, and an error above
-/// the coarsest level's costs what that level costs. Each run is a part of the sitting; throws SittingEnded
+/// the coarsest level's costs what that level costs. A level that cannot be built is a point without error;
+/// throws InputError if that is so for all of them. Each run is a part of the sitting; throws SittingEnded
 /// if that ends.
 WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
                              const std::vector<double>& errors, const StudyProgress& progress,

@@ -22,7 +22,7 @@ double parse_number(std::string_view text, std::string_view field) {
   double number = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(number))
-    throw InputError(fmt::format("field \"{}\": \"{}\" is not a number", field, text),
+    throw InputError(fmt::format(R"(field "{}": "{}" is not a number)", field, text),
                      "parameters are finite decimal numbers", "Write for example poly:1,0,0,1 for X^3 + 1.");
   return number;
 }

@@ -34,10 +34,10 @@ constexpr std::array<Norm, 5> norms = {
 /// of some eps |x|, and the nearest bond divides it by dx. 8 covers the sum over the support.
 struct Sampled {
   std::vector<double> x, exact;
-  double floor;
+  double floor = 0;
 
   Sampled(const Field& field, const Cloud<1>& cloud)
-      : x(values(field, cloud.X)), exact(derivatives(field, cloud.X)), floor(0) {
+      : x(values(field, cloud.X)), exact(derivatives(field, cloud.X)) {
     for (const double value : x) floor = std::max(floor, std::abs(value));
     floor *= 8 * std::numeric_limits<double>::epsilon() / cloud.spacing;
   }
@@ -129,6 +129,7 @@ Study refine(const Discretisation& discretisation, const std::vector<Index>& cel
   for (const Field& field : fields) {
     std::vector<Sampled> samples;
     std::vector<double> floors;
+    floors.reserve(clouds.size());
     for (const Cloud<1>& cloud : clouds) floors.push_back(samples.emplace_back(field, cloud).floor);
     for (const Method& method : methods) {
       std::vector<StudyRow> rows;

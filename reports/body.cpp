@@ -62,6 +62,7 @@ struct Lattice {
 /// Different coordinates along one axis, to a millionth of the spacing.
 std::vector<double> levels_of(const std::vector<Point>& points, std::size_t axis, double edge) {
   std::vector<double> all;
+  all.reserve(points.size());
   for (const auto& x : points) all.push_back(x[axis]);
   std::sort(all.begin(), all.end());
   std::vector<double> levels;

@@ -33,7 +33,7 @@ void add_spins(std::vector<DrawnBody>& all) {
                    set,
                    plane,
                    0.02};
-    body.set.push_back("body.particles=[50,50,50]");
+    body.set.emplace_back("body.particles=[50,50,50]");
     all.push_back(std::move(body));
   }
 }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <thread>
 
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
@@ -14,6 +16,7 @@
 #include "plumbline/output/table.hpp"
 #include "reports/page/page.hpp"
 #include "reports/run/process.hpp"
+#include "reports/run/side_by_side.hpp"
 #include "reports/run/store.hpp"
 #include "reports/sections.hpp"
 
@@ -33,6 +36,7 @@ void make_folder(const fs::path& folder) {
 std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
   auto plans = section_plans(options.long_run);
   std::vector<std::string> ids;
+  ids.reserve(plans.size());
   for (const auto& plan : plans) ids.push_back(plan.id);
   for (const auto& id : options.only)
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) throw unknown_name("section", id, ids);
@@ -43,32 +47,74 @@ std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
   return plans;
 }
 
+/// What the sections ask for, in their order, as far as it may run beside others or not.
+std::vector<const Job*> jobs_of(const std::vector<SectionPlan>& plans, bool alone) {
+  std::vector<const Job*> jobs;
+  for (const auto& plan : plans)
+    for (const auto& job : plan.jobs)
+      if (job.alone == alone) jobs.push_back(&job);
+  return jobs;
+}
+
+/// Runs the studies: those that measure speed one by one on all cores, the others side by side, each on one.
+class JobRunner {
+ public:
+  JobRunner(const ReportOptions& options, std::size_t total, ReportSummary& summary)
+      : options_(options), total_(total), summary_(summary) {}
+
+  void run(const std::vector<const Job*>& jobs, int side_by_side, int threads_of_each) {
+    const run::Store store(fs::absolute(options_.out) / "store", options_.program, options_.root,
+                           threads_of_each, options_.code);
+    run::side_by_side(
+        jobs.size(), side_by_side, [&](std::size_t n) { take(*jobs[n], store); }, options_.go_on);
+    if (options_.go_on && !options_.go_on())
+      throw SittingEnded(
+          fmt::format("interrupted: {} of {} studies are finished and stored; the same call goes on "
+                      "from there",
+                      finished_, total_));
+  }
+  Results results() && { return std::move(results_); }
+
+ private:
+  void take(const Job& job, const run::Store& store) {
+    {
+      const std::lock_guard lock(mutex_);
+      tell(job);
+    }
+    JobResult result = store.get(job);
+    const std::lock_guard lock(mutex_);
+    summary_.reused += result.reused ? 1 : 0;
+    summary_.cpu_s += result.cpu_s;
+    ++summary_.jobs;
+    if (result.failure.empty()) {
+      ++finished_;
+      replace_file(options_.out / "data" / (job.id + ".json"),
+                   run::content_of(result.folder / "result.json"));
+    }
+    results_.add(job.id, std::move(result));
+    tell(job);
+  }
+  void tell(const Job& job) const {
+    if (options_.progress)
+      options_.progress(static_cast<double>(summary_.jobs) / static_cast<double>(total_), job.id);
+  }
+
+  const ReportOptions& options_;
+  std::size_t total_, finished_ = 0;
+  std::mutex mutex_;  ///< guards what follows, and finished_
+  ReportSummary& summary_;
+  Results results_;
+};
+
 Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& options,
                  ReportSummary& summary) {
-  const run::Store store(fs::absolute(options.out) / "store", options.program, options.root, options.threads,
-                         options.code);
-  std::size_t total = 0;
-  for (const auto& plan : plans) total += plan.jobs.size();
-  Results results;
-  for (const auto& plan : plans)
-    for (const auto& job : plan.jobs) {
-      if (options.progress)
-        options.progress(static_cast<double>(summary.jobs) / static_cast<double>(total), job.id);
-      JobResult result = store.get(job);
-      if (options.go_on && !options.go_on())
-        throw SittingEnded(
-            fmt::format("interrupted: {} of {} studies are finished and stored; the same call goes on "
-                        "from there",
-                        summary.jobs + (result.failure.empty() ? 1 : 0), total));
-      summary.reused += result.reused ? 1 : 0;
-      summary.cpu_s += result.cpu_s;
-      ++summary.jobs;
-      if (result.failure.empty())
-        replace_file(options.out / "data" / (job.id + ".json"),
-                     run::content_of(result.folder / "result.json"));
-      results.add(job.id, std::move(result));
-    }
-  return results;
+  const auto together = jobs_of(plans, false), alone = jobs_of(plans, true);
+  const int cores =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  JobRunner runner(options, together.size() + alone.size(), summary);
+  runner.run(together, cores, 1);
+  runner.run(alone, 1, cores);
+  return std::move(runner).results();
 }
 
 /// The section, or what is to be said in its place.

@@ -16,7 +16,7 @@ struct ReportOptions {
   std::string code = {};             ///< hash of the code that computes; empty: the bytes of the program
   std::filesystem::path root = ".";  ///< the folder with verification/scenes in it
   bool long_run = false;             ///< the paper-size studies too
-  int threads = 0;                   ///< for each study; 0: as many as there are
+  int threads = 0;                   ///< cores to work on, a study on each; 0: all there are
   std::vector<std::string> only;     ///< ids of sections; empty: all
   std::vector<std::pair<std::string, std::string>> facts;         ///< on the first screen, before the cost
   std::function<void(double, const std::string&)> progress = {};  ///< fraction done, what is being done

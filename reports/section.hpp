@@ -83,6 +83,7 @@ struct Job {
   std::vector<std::string>
       arguments;  ///< behind "plumb", without --json; "{out}" stands for a folder of its own
   std::vector<std::string> inputs = {};  ///< files that it reads, relative to the root; their content counts
+  bool alone = false;                    ///< it measures speed: nothing runs beside it, and it gets all cores
 };
 
 class Results;

@@ -34,7 +34,7 @@ std::vector<double> extrapolation(const Cloud<d>& cloud, const NeighbourSearch<d
     for (const Index j : found) seen.push_back({cloud.X[j] - point, cloud.V[j]});
     const bool all = found.size() == static_cast<std::size_t>(cloud.size());
     if (!all && (found.size() < (1U << d) || independent_directions<d>(seen) < d)) continue;
-    const auto weight = correct<d>(Pair::W1, kernel, wide, seen).weight;
+    auto weight = correct<d>(Pair::W1, kernel, wide, seen).weight;
     double size = 0;
     for (const double w : weight) size += std::abs(w);
     if (all || size < most_amplification) return weight;

@@ -122,7 +122,7 @@ CompatibleReport make_compatible(Cloud<d>& cloud, std::vector<std::vector<BondCo
 
 template <int d>
 void project_compatible(BondOptions<d>& options, const CompatibleOptions<d>& how,
-                        std::shared_ptr<CompatibleReport> report) {
+                        const std::shared_ptr<CompatibleReport>& report) {
   const auto kernel = options.kernel;
   const double h = options.smoothing_length;
   options.project = [=](Cloud<d>& cloud, const Neighbours&,
@@ -139,10 +139,10 @@ template CompatibleReport make_compatible<2>(Cloud<2>&, std::vector<std::vector<
 template CompatibleReport make_compatible<3>(Cloud<3>&, std::vector<std::vector<BondConstants<3>>>&,
                                              const RadialKernel<3>&, double, const CompatibleOptions<3>&);
 template void project_compatible<1>(BondOptions<1>&, const CompatibleOptions<1>&,
-                                    std::shared_ptr<CompatibleReport>);
+                                    const std::shared_ptr<CompatibleReport>&);
 template void project_compatible<2>(BondOptions<2>&, const CompatibleOptions<2>&,
-                                    std::shared_ptr<CompatibleReport>);
+                                    const std::shared_ptr<CompatibleReport>&);
 template void project_compatible<3>(BondOptions<3>&, const CompatibleOptions<3>&,
-                                    std::shared_ptr<CompatibleReport>);
+                                    const std::shared_ptr<CompatibleReport>&);
 
 }  // namespace plumb

@@ -50,6 +50,6 @@ CompatibleReport make_compatible(Cloud<d>& cloud, std::vector<std::vector<BondCo
 /// Sets `project` of the bond options. The report, if wanted, is written when the table is made.
 template <int d>
 void project_compatible(BondOptions<d>& options, const CompatibleOptions<d>& how = {},
-                        std::shared_ptr<CompatibleReport> report = nullptr);
+                        const std::shared_ptr<CompatibleReport>& report = nullptr);
 
 }  // namespace plumb

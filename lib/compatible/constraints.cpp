@@ -52,7 +52,8 @@ template <int d>
 Eigen::SparseMatrix<double> normal_matrix(const AreaTable<d>& table, const BondOperator<d>& N) {
   constexpr int n = d + 1;
   const bool coupled = N.volume_weight > 0;
-  const int parts = coupled ? d : 1, rows = parts * n;
+  const int parts = coupled ? d : 1;  // NOLINT(bugprone-branch-clone): alike in 1D only
+  const int rows = parts * n;
   Entries entries;
   const auto add = [&](Index i, Index j, const Row<d>& p, const Row<d>& q, double weight) {
     if (i < j) return;

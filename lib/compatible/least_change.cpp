@@ -51,10 +51,12 @@ bool is_thin_lattice(const BondOperator<d>& N) {
 /// Factorises the matrix with the least shift that works.
 void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
   factor.analyzePattern(matrix);
-  for (double shift = least_shift; shift <= most_shift; shift *= 10) {
+  double shift = least_shift;
+  while (shift <= most_shift) {
     factor.setShift(shift);
     factor.factorize(matrix);
     if (factor.info() == Eigen::Success) return;
+    shift *= 10;
   }
   throw InputError("the compatible projection has no solution", "its matrix cannot be factorised",
                    "use a larger beta");
@@ -63,7 +65,8 @@ void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
 /// All components at once, or one right-hand side per component.
 template <int d>
 Multipliers<d> solve(const Factor& factor, const Multipliers<d>& right, bool coupled) {
-  const Index n = static_cast<Index>(right.size()), parts = coupled ? d : 1;
+  const auto n = static_cast<Index>(right.size());
+  const Index parts = coupled ? d : 1;  // NOLINT(bugprone-branch-clone): alike in 1D only
   Eigen::MatrixXd packed(n * parts * (d + 1), d / parts);
   const auto place = [&](Index i, int a) {
     return packed.block(coupled ? (i * d + a) * (d + 1) : i * (d + 1), coupled ? 0 : a, d + 1, 1);

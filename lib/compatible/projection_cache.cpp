@@ -60,7 +60,7 @@ bool read_projection(const std::filesystem::path& file, AreaTable<d>& table) {
   if (bytes.size() != bytes_of(table)) return false;
   const char* at = bytes.data();
   const auto next = [&at] {
-    double value;
+    double value = 0;
     std::memcpy(&value, at, sizeof(value));
     at += sizeof(value);
     return value;

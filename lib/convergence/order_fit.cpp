@@ -89,7 +89,7 @@ void fit_drift(const std::vector<double>& x, const std::vector<double>& y, const
   const double range = x.back() - x.front();
   fit.drift = 2 * (along / chi2) * range;  // chi2 is the weighted norm of that remainder
   if (n < 4) return;
-  const double freedom = static_cast<double>(n - 3);
+  const auto freedom = static_cast<double>(n - 3);
   const double left = std::max(0.0, straight - along * along / chi2);
   fit.drift_half_width =
       2 * std::abs(range) * student_quantile(confidence, freedom) * std::sqrt(left / freedom / chi2);
@@ -108,7 +108,7 @@ void fit_line(const std::vector<Weighted>& levels, double confidence, OrderFit& 
   gsl_fit_wlinear(x.data(), 1, w.data(), 1, y.data(), 1, n, &fit.log_constant, &fit.order, &cov00, &cov01,
                   &cov11, &chi2);
   if (n < 3) return;
-  const double freedom = static_cast<double>(n - 2);
+  const auto freedom = static_cast<double>(n - 2);
   // cov11 is for unit variance: scale by the residuals
   const double half = student_quantile(confidence, freedom) * std::sqrt(cov11 * chi2 / freedom);
   fit.lower = fit.order - half;

@@ -1,5 +1,7 @@
 #include "plumbline/diagnostics/measures.hpp"
 
+#include <limits>
+
 #include "plumbline/diagnostics/in_space.hpp"
 
 namespace plumb {
@@ -35,6 +37,15 @@ Energy energy_of(const Solid<d>& solid, const State<d>& state) {
   for (const auto& term : solid.terms)
     if (term.energy) terms += term.energy(solid, state);
   return {0.5 * solid.elastic.density * twice_kinetic, strain, terms};
+}
+
+template <int d>
+double energy_round_off(const Solid<d>& solid) {
+  constexpr double roundings = 24;  // of J and J^-2/3 (two units by itself), of F:F, of their product
+  constexpr double unit = 0.5 * std::numeric_limits<double>::epsilon();
+  double volume = 0;
+  for (const double V : solid.cloud.V) volume += V;
+  return roundings * unit * 1.5 * solid.elastic.shear_modulus() * volume;
 }
 
 template <int d>
@@ -114,6 +125,8 @@ double hourglass_share(const Solid<d>& solid, const State<d>& state) {
 
 template Energy energy_of<2>(const Solid<2>&, const State<2>&);
 template Energy energy_of<3>(const Solid<3>&, const State<3>&);
+template double energy_round_off<2>(const Solid<2>&);
+template double energy_round_off<3>(const Solid<3>&);
 template Momentum momentum_of<2>(const Solid<2>&, const State<2>&);
 template Momentum momentum_of<3>(const Solid<3>&, const State<3>&);
 template Extent<2> extent_of<2>(const Solid<2>&, const State<2>&);

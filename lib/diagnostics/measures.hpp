@@ -24,6 +24,11 @@ struct Momentum {
 template <int d>
 Energy energy_of(const Solid<d>& solid, const State<d>& state);
 
+/// A bound of the round-off in the strain energy of energy_of() near the reference [J]: what is left of
+/// energies that cancel. THEORY (8.9).
+template <int d>
+double energy_round_off(const Solid<d>& solid);
+
 template <int d>
 Momentum momentum_of(const Solid<d>& solid, const State<d>& state);
 

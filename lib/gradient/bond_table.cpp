@@ -14,7 +14,7 @@ namespace {
 template <int d>
 std::vector<std::vector<BondConstants<d>>> bonds_of_kinds(const Surroundings<d>& seen, const Kinds& kinds,
                                                           const BondOptions<d>& options) {
-  const Index n = static_cast<Index>(kinds.representative.size());
+  const auto n = static_cast<Index>(kinds.representative.size());
   std::vector<std::vector<BondConstants<d>>> bonds(n);
   std::vector<std::exception_ptr> failures(n);
 #pragma omp parallel for schedule(static)

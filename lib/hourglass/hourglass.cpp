@@ -103,7 +103,8 @@ double energy_of_block(const Solid<d>& solid, const HourglassBonds& k, const Blo
 
 /// The functions of the term, for one width of packs.
 template <int d, int W>
-void set_functions(Term<d>& term, std::shared_ptr<const HourglassBonds> k, std::shared_ptr<Field> partial) {
+void set_functions(Term<d>& term, const std::shared_ptr<const HourglassBonds>& k,
+                   const std::shared_ptr<Field>& partial) {
   term.stress = [k, partial](const Solid<d>& solid, const Block& block, const State<d>& state,
                              StressWindow& P) { own_part<d, W>(solid, *k, block, state.u, P, *partial); };
   term.second = [k, partial](const Solid<d>& solid, const Block& block, const State<d>&, double,

@@ -65,7 +65,7 @@ void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
       for (int a = 0; a < d; ++a) stencil[a] = t.stencil[(n / t.width * d + a) * t.width + lane];
       c.push_back(stencil);
     });
-    const Index n = static_cast<Index>(X.size());
+    const auto n = static_cast<Index>(X.size());
     Eigen::MatrixXd D = Eigen::MatrixXd::Zero(n, n + 1);
     for (Index j = 0; j < n; ++j) {
       for (Index m = 0; m < n; ++m) D(j, m + 1) = (m == j ? 1 : 0) - c[m].dot(X[j]);

@@ -20,7 +20,7 @@ namespace {
 /// One "key<tab>value" a line; neither holds a tab or an end of line.
 std::string text_of(const std::map<std::string, std::string>& scene) {
   std::string text;
-  for (const auto& [key, value] : scene) text += key + "\t" + value + "\n";
+  for (const auto& [key, value] : scene) text.append(key).append("\t").append(value).append("\n");
   return text;
 }
 

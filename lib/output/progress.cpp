@@ -21,6 +21,18 @@ std::optional<double> seconds_left(double elapsed, double fraction, double befor
   return elapsed * (1 - fraction) / (fraction - before);
 }
 
+std::string rate_text(double elapsed, double fraction, double before) {
+  if (!(fraction > before) || !(elapsed > 0)) return {};
+  double rate = 100 * (fraction - before) / elapsed;
+  const char* unit = "s";
+  for (const char* longer : {"min", "h"}) {
+    if (rate >= 1) break;
+    rate *= 60;
+    unit = longer;
+  }
+  return fmt::format("{:.2g} %/{}", rate, unit);
+}
+
 Progress::Style Progress::style_for_stderr(bool quiet) {
   if (quiet) return Style::none;
   return ::isatty(STDERR_FILENO) != 0 ? Style::bar : Style::lines;
@@ -45,7 +57,9 @@ void Progress::update(double fraction, const std::string& note, double before) {
 
 void Progress::draw(double fraction, double elapsed, const std::string& note, double before) {
   const auto seconds = seconds_left(elapsed, fraction, before);
-  const std::string left = seconds ? duration_text(*seconds) + " left" : "time left unknown";
+  const std::string left =
+      seconds ? rate_text(elapsed, fraction, before) + ", " + duration_text(*seconds) + " left"
+              : "time left unknown";
   const std::string tail = note.empty() ? "" : ", " + note;
   if (style_ == Style::bar) {
     constexpr int cells = 30;

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Progress of long work on standard error: a bar with the time left on a terminal, a line now and then
+/// Progress of long work on standard error: a bar with rate and time left on a terminal, a line now and then
 /// (after 2 s, then at intervals that double up to a minute) otherwise, nothing when quiet. Standard output
 /// stays clean.
 class Progress {
@@ -46,5 +46,9 @@ std::string duration_text(double seconds);
 /// Time that is left [s] when `elapsed` [s] took the work from the fraction `before` to `fraction`, at the
 /// same rate; nothing while there is no rate.
 std::optional<double> seconds_left(double elapsed, double fraction, double before);
+
+/// "8.4 %/s", "1.2 %/min", "3 %/h": how fast `elapsed` [s] took the work from `before` to `fraction`, in the
+/// unit that leaves a number of one or more; empty while there is no rate.
+std::string rate_text(double elapsed, double fraction, double before);
 
 }  // namespace plumb

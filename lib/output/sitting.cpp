@@ -30,7 +30,7 @@ double number_or_nan(const Sitting::Json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
-Sitting::Sitting(fs::path folder, std::string content, std::function<bool()> go_on)
+Sitting::Sitting(const fs::path& folder, std::string content, std::function<bool()> go_on)
     : content_(std::move(content)), go_on_(std::move(go_on)) {
   if (folder.empty()) return;
   file_ = folder / (name_of_content(content_) + ".json");

@@ -29,7 +29,7 @@ class Sitting {
   Sitting() = default;
   /// Keeps parts in one file of `folder`, which is made when there is something to keep. `content` holds all
   /// that decides the results: parts of other content are not taken. `go_on` is asked before every part.
-  Sitting(std::filesystem::path folder, std::string content, std::function<bool()> go_on);
+  Sitting(const std::filesystem::path& folder, std::string content, std::function<bool()> go_on);
 
   /// From now on tells the listener how far it is: at the end of every part, and where a loop calls check().
   /// `whole` is the work of all parts; what earlier sittings made takes no time and does not count. `unit` is

@@ -149,7 +149,7 @@ void add_settings(const TomlValue& value, const std::string& key,
 std::string apply_override(TomlValue& root, const std::string& text, const Alternatives& alternatives,
                            const std::vector<std::string>& overridden) {
   const auto equals = text.find('=');
-  const std::string path = trimmed(text.substr(0, equals));
+  std::string path = trimmed(text.substr(0, equals));
   const std::vector<std::string> parts = split(path);
   const bool complete = equals != std::string::npos && parts.size() > 1 &&
                         std::none_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); });

@@ -85,7 +85,7 @@ void refuse_assignment(const std::string& prefix, const std::string& text) {
       continue;
     }
     if (i > 0 && (text[i - 1] == '<' || text[i - 1] == '>' || text[i - 1] == '!')) continue;
-    throw InputError(fmt::format("{}in \"{}\": assignment \"=\" at position {}", prefix, text, i + 1),
+    throw InputError(fmt::format(R"({}in "{}": assignment "=" at position {})", prefix, text, i + 1),
                      "a formula cannot change X, Y, Z", "write == to compare");
   }
 }

@@ -39,6 +39,7 @@ std::string nearest_spacings(const std::vector<double>& size, double d) {
 
 std::string joined(const auto& numbers) {
   std::vector<std::string> words;
+  words.reserve(numbers.size());
   for (const auto number : numbers) words.push_back(fmt::format("{:.9g}", static_cast<double>(number)));
   return "[" + join(words) + "]";
 }

@@ -48,7 +48,7 @@ Method read_method_section(const Section& root) {
   method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
   if (method.momentum == "variational" && method.gradient == "compatible")
-    section->fail("momentum", "\"variational\" contradicts gradient = \"compatible\"",
+    section->fail("momentum", R"("variational" contradicts gradient = "compatible")",
                   "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
   method.integrator = section->choice_or("integrator", method.integrator, integrator_names());
   method.wave_speed = section->choice_or("wave_speed", method.wave_speed, wave_speed_names());

@@ -143,7 +143,7 @@ std::string Section::text_or(const std::string& key, const std::string& otherwis
 
 std::string Section::choice_or(const std::string& key, const std::string& otherwise,
                                const std::vector<std::string>& valid) const {
-  const std::string name = text_or(key, otherwise);
+  std::string name = text_or(key, otherwise);
   for (const auto& one : valid)
     if (one == name) return name;
   const InputError error = unknown_name(key, name, valid);

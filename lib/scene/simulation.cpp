@@ -174,7 +174,7 @@ std::shared_ptr<CompatibleReport> make_it_compatible(BondOptions<d>& options, co
   if (compatible.volumes == "fixed") how.volume_weight = 0;
   how.cache = compatible.cache;
   how.surface = [surface](const Cloud<d>&) { return surface; };
-  const auto report = std::make_shared<CompatibleReport>();
+  auto report = std::make_shared<CompatibleReport>();
   project_compatible(options, how, report);
   return report;
 }
@@ -197,6 +197,20 @@ void add_jst(Simulation<d>& simulation, const Scene& scene) {
   add_term(simulation.solid, jst_term(simulation.solid, options));
   if (options.eta4 == 0) return;
   simulation.solid.step_limit = jst_step_limit(simulation.solid, options, damping_limit(scene));
+}
+
+/// Changes of an area vector beyond this [spacing^(d-1)] are larger than any area a particle has.
+constexpr double large_change = 3;
+
+template <int d>
+std::string large_change_text(double change) {
+  return fmt::format(
+      "area vectors of the compatible table change by up to {:.2g} spacings^{}: particles near the surface "
+      "have "
+      "too few neighbours, and stable steps are about as many times smaller than cfl says. Put particles on "
+      "the "
+      "surface (layout = \"node\") or use a larger beta",
+      change, d - 1);
 }
 
 }  // namespace
@@ -246,6 +260,8 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
     simulation.compatible = make_it_compatible(options, scene.method.compatible, *surface);
   if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
   simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
+  if (simulation.compatible && simulation.compatible->largest_change > large_change)
+    warnings.push_back(large_change_text<d>(simulation.compatible->largest_change));
   simulation.state = make_state(simulation.solid);
   simulation.control = step_control(scene);
   simulation.supports = make_supports<d>(simulation.solid.cloud, scene);

@@ -27,7 +27,8 @@ std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& stat
                                      const RunHistory& history) {
   if (control.energy_bound) {
     const double energy = energy_of(solid, state).total();
-    if (!(energy <= (1 + *control.energy_bound) * *history.initial_energy))
+    const double round_off = 2 * energy_round_off(solid);  // of this energy and of the initial one
+    if (!(energy <= (1 + *control.energy_bound) * *history.initial_energy + round_off))
       return Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
   }
   if (control.hourglass_bound) {

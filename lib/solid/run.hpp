@@ -16,8 +16,8 @@ struct StepControl {
   WaveSpeed wave_speed = WaveSpeed::linear;
   std::optional<double> end_time;  ///< [s]; the last step is cut to meet it
   std::optional<long> max_steps;
-  std::optional<double>
-      energy_bound;  ///< unstable if the total energy exceeds (1 + bound) times the initial one
+  std::optional<double> energy_bound;  ///< unstable if the total energy exceeds (1 + bound) times the initial
+                                       ///< one by more than round-off
   /// A step below this share of the first one counts as collapsed: a body whose spacing shrinks a
   /// thousandfold somewhere has lost its particles' order there, and would not end in reasonable time.
   double collapse = 1e-3;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "plumbline/solid/evaluate.hpp"
 #include "plumbline/solid/make_sweeps.hpp"
 
 namespace plumb {

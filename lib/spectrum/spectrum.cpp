@@ -53,7 +53,7 @@ double unexplained_share(const LinearOperator<d>& op, const Eigen::VectorXd& mot
 /// Rigid motions in the scaled unknowns q = R a, orthonormal.
 template <int d>
 Eigen::MatrixXd scaled_rigid_motions(const LinearOperator<d>& op, const Eigen::VectorXd& root) {
-  const Eigen::MatrixXd span = root.asDiagonal() * op.rigid_motions();
+  Eigen::MatrixXd span = root.asDiagonal() * op.rigid_motions();
   if (span.cols() == 0) return span;
   return Eigen::HouseholderQR<Eigen::MatrixXd>(span).householderQ() *
          Eigen::MatrixXd::Identity(span.rows(), span.cols());

@@ -11,8 +11,9 @@ struct Edge {
 };
 
 /// Bisects between `from` and `to` (from < to) until unstable/stable - 1 or, where from is 0, their distance
-/// over `to` is below `tolerance`; geometrically where from > 0. The ends are tried first. One edge is found,
-/// if there are several: that some larger value is stable again is not seen.
+/// over `to` is below `tolerance`; geometrically where from > 0. `to` is tried first, and `from` only when
+/// the middle between them is unstable: a run with a small step costs the most. One edge is found, if there
+/// are several: that some larger value is stable again is not seen.
 Edge find_edge(double from, double to, double tolerance, const std::function<bool(double)>& is_stable);
 
 }  // namespace plumb

@@ -30,6 +30,7 @@ const Named& entry_of(EdgeParameter parameter) {
 
 EdgeParameter read_parameter(const Section& section) {
   std::vector<std::string> names;
+  names.reserve(parameters.size());
   for (const auto& one : parameters) names.emplace_back(one.name);
   const std::string name = section.text("parameter");
   section.choice_or("parameter", name, names);

@@ -23,7 +23,7 @@ struct RigidRotation {
     using std::cos, std::sin;
     const T c = cos(T(spin) * t), s = sin(T(spin) * t);
     const T x = X[0] - T(0.5), y = X[1] - T(0.5);
-    Vec<d, T> u = X - X;
+    Vec<d, T> u = T(0) * X;
     u[0] = c * x - s * y - x;
     u[1] = s * x + c * y - y;
     return u;

@@ -24,7 +24,7 @@ struct StandingWave {
   template <int d, class T>
   Vec<d, T> displacement(const Vec<d, T>& X, const T& t) const {
     using std::cos, std::sin;
-    Vec<d, T> u = X - X;
+    Vec<d, T> u = T(0) * X;
     u[0] = T(amplitude) * sin(T(k) * X[0]) * cos(T(k * speed) * t);
     return u;
   }

@@ -25,7 +25,7 @@ struct TravellingWave {
   template <int d, class T>
   Vec<d, T> displacement(const Vec<d, T>& X, const T& t) const {
     using std::sin;
-    Vec<d, T> u = X - X;
+    Vec<d, T> u = T(0) * X;
     u[0] = T(amplitude) * sin(T(k) * (X[0] - T(speed) * t));
     return u;
   }

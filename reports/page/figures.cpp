@@ -8,6 +8,9 @@ namespace {
 
 using plot::escaped;
 
+/// Wider pictures take two places side by side [pixels].
+constexpr int ordinary_width = 760;
+
 /// All frames side by side; the script of the page shows one at a time, with a slider.
 std::string frames(const Figure& figure) {
   std::string out = "<div class=\"frames\">";
@@ -30,7 +33,9 @@ std::string figure(const Figure& figure, const PageSection& section) {
       "<figure id=\"fig-{0}\"{4}>{1}<figcaption>{2} <span class=\"src\"><a href=\"data/{0}.csv\">CSV</a> · "
       "<a href=\"figures/{0}.svg\">SVG</a>{3}</span></figcaption></figure>\n",
       escaped(figure.id), picture, text(figure.caption), source_links(figure.jobs),
-      figure.frames.empty() ? "" : " class=\"moving\"");
+      !figure.frames.empty()                  ? " class=\"moving\""
+      : figure.picture.width > ordinary_width ? " class=\"wide\""
+                                              : "");
 }
 
 }  // namespace plumb::reports::page

@@ -13,14 +13,14 @@ std::string tiles(const Page& page) {
   for (const auto& [name, count] : count_verdicts(page.sections))
     out += count == 0 ? fmt::format("<div class=\"tile v-{0} none\"><b>0</b> {0}</div>", escaped(name))
            : name == "pass"
-               ? fmt::format("<div class=\"tile v-{0}\"><b>{1}</b> {0}</div>", escaped(name), count)
-               : fmt::format("<a class=\"tile v-{0}\" href=\"#not-passed\"><b>{1}</b> {0}</a>", escaped(name),
+               ? fmt::format(R"(<div class="tile v-{0}"><b>{1}</b> {0}</div>)", escaped(name), count)
+               : fmt::format(R"(<a class="tile v-{0}" href="#not-passed"><b>{1}</b> {0}</a>)", escaped(name),
                              count);
   out += "</div>";
   std::string facts;
   for (const auto& section : page.sections)
     for (const auto& fact : section.section.headlines)
-      facts += fmt::format("<a class=\"tile\" href=\"#{}\"><b>{}</b> {}</a>", escaped(section.id),
+      facts += fmt::format(R"(<a class="tile" href="#{}"><b>{}</b> {}</a>)", escaped(section.id),
                            escaped(fact.number), escaped(fact.what));
   return facts.empty() ? out : out + "<div class=\"tiles\">" + facts + "</div>";
 }

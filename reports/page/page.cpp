@@ -18,7 +18,7 @@ using plot::escaped;
 std::string reproduce(const PageSection& section) {
   if (section.jobs.empty()) return {};
   std::string out =
-      fmt::format("<h3 id=\"{}-how\">How to reproduce</h3><ul class=\"cmd\">", escaped(section.id));
+      fmt::format(R"(<h3 id="{}-how">How to reproduce</h3><ul class="cmd">)", escaped(section.id));
   for (const auto& [id, job] : section.jobs)
     out += fmt::format("<li id=\"cmd-{0}\"><code>{1}</code> <small>{2}</small></li>\n", escaped(id),
                        escaped(job.command),

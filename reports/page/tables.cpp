@@ -33,10 +33,12 @@ std::string cell(const Entry& entry, const Column& column) {
   if (const auto* text = std::get_if<std::string>(&entry)) {
     const bool is_verdict =
         std::find(verdict_names().begin(), verdict_names().end(), *text) != verdict_names().end();
-    return "<td" + label + ">" + (is_verdict ? page::verdict(*text, *text) : escaped(*text)) + "</td>";
+    constexpr std::size_t line = 60;  // letters; longer ones want a column that is not too narrow
+    const std::string kind = text->size() > line ? " class=\"t\"" : "";
+    return "<td" + kind + label + ">" + (is_verdict ? page::verdict(*text, *text) : escaped(*text)) + "</td>";
   }
   if (const auto* value = std::get_if<double>(&entry))
-    return fmt::format("<td class=\"n\" data-v=\"{:.17g}\">{}</td>", *value,
+    return fmt::format(R"(<td class="n" data-v="{:.17g}">{}</td>)", *value,
                        number_text(*value, column.digits));
   return "<td></td>";
 }
@@ -113,10 +115,13 @@ std::string source_links(const std::vector<std::string>& jobs) {
 std::string table(const DataTable& table, const PageSection& section) {
   const bool long_table = table.rows.size() > 20;
   std::string out =
-      fmt::format("<details class=\"tb\" id=\"table-{}\"{}><summary>{} <small>({} rows)</small></summary>",
+      fmt::format(R"(<details class="tb" id="table-{}"{}><summary>{} <small>({} rows)</small></summary>)",
                   escaped(table.id), long_table ? "" : " open", escaped(table.title), table.rows.size());
-  out += "<div class=\"scroll\"><table class=\"data";
-  out += has_sentences(table) ? " cards\"><thead><tr>" : "\"><thead><tr>";
+  constexpr std::size_t many = 9;  // columns of numbers that fill a printed page
+  out += fmt::format(R"(<div class="scroll"><table class="data{}"><thead><tr>)",
+                     has_sentences(table)          ? " cards"
+                     : table.columns.size() > many ? " many"
+                                                   : "");
   for (const auto& column : table.columns)
     out += fmt::format("<th scope=\"col\">{}{}</th>", escaped(column.name),
                        column.unit.empty() ? "" : " <small>[" + escaped(column.unit) + "]</small>");

@@ -9,6 +9,9 @@
 #include "reports/plot/axes.hpp"
 
 namespace plumb::reports::plot {
+
+/// Cells of categories are framed in white, unless frames would be all that one sees.
+constexpr std::size_t most_framed_rows = 24;
 namespace {
 
 template <class Map, class Value>
@@ -71,7 +74,7 @@ std::string interval_rows(const Intervals& rows, std::vector<std::string>& plots
                     known ? rows.high[k] : rows.value[k]);
   }
   out += fmt::format("set ytics ({}) noenhanced\n{}EOD\n{}EOD\n{}EOD\n", names, met, missed, wanted);
-  if (any_wanted) plots.push_back("$wanted with vectors nohead lw 3 lc rgb \"#808080\" notitle");
+  if (any_wanted) plots.emplace_back("$wanted with vectors nohead lw 3 lc rgb \"#808080\" notitle");
   const auto bars = [&plots](const char* data, const Ink& colour, int shape) {
     plots.push_back(fmt::format("{} with xerrorbars pt {} ps 0.7 lw 1.8 lc rgb \"{}\" notitle", data, shape,
                                 colour.line));
@@ -103,7 +106,7 @@ std::string patches(const Prepared& p, const Patches& map, std::vector<std::stri
         "set label {} at {:.6g},{:.6g} {} noenhanced tc rgb \"#606060\"\n", literal(rod.label), rod.x1,
         rod.y1, rod.x1 < rod.x0 - 1e-9 * std::abs(rod.x1) ? "right offset -0.4,0" : "left offset 0.5,0.3");
   }
-  plots.push_back("$patches using 1:2:3 with polygons fs solid noborder fc palette notitle");
+  plots.emplace_back("$patches using 1:2:3 with polygons fs solid noborder fc palette notitle");
   return out;
 }
 
@@ -131,9 +134,10 @@ std::string map_commands(const Prepared& p, std::vector<std::string>& plots) {
       const auto mine = [c](int z) { return z == c ? std::string("1") : std::string(); };
       const bool used = std::find(map->z.begin(), map->z.end(), c) != map->z.end();
       out += cells(p, *map, fmt::format("map{}", c), mine);
-      plots.push_back(fmt::format(
-          "{} with boxxyerror fc rgb \"{}\" fs solid border lc rgb \"#ffffff\" title {}",
-          used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line, literal(map->names[c])));
+      const bool few = map->y.size() <= most_framed_rows;
+      plots.push_back(fmt::format(R"({} with boxxyerror fc rgb "{}" fs solid border lc rgb "{}" title {})",
+                                  used ? fmt::format("$map{} {}", c, style) : "keyentry", ink(c).line,
+                                  few ? "#ffffff" : ink(c).line, literal(map->names[c])));
     }
   return out;
 }

@@ -132,7 +132,7 @@ std::string series_commands(const Prepared& p, std::vector<std::string>& plots) 
     const std::string points = fmt::format("pt {} ps 0.55", point_shapes[colour_of(p.picture, s) % 8]);
     const std::string look = series.style == Style::lines    ? "lines " + line
                              : series.style == Style::points ? "points " + points
-                                                             : "linespoints " + line + " " + points;
+                                                             : fmt::format("linespoints {} {}", line, points);
     plots.push_back(fmt::format("$s{} using 1:2 with {} lc rgb \"{}\" title {}", s, look, colour.line,
                                 literal(series.label)));
   }

@@ -117,7 +117,7 @@ Section write(const Results& results) {
          run.contains("hourglass_share") ? Entry(number(run, "hourglass_share")) : Entry(),
          number(run.at("timing"), "cpu_s")});
     s.tables[0].jobs.push_back(v.id);
-    s.tables[0].figures.push_back("column-energy");
+    s.tables[0].figures.emplace_back("column-energy");
     s.checks.push_back({v.name + ": run to its end", "completed", text(run, "status"),
                         pass_if(text(run, "status") == "completed")});
     changes += fmt::format("{}{} % ({})", changes.empty() ? "" : ", ", number_text(change, 3), v.name);

@@ -27,12 +27,14 @@ std::string part_of(const Json& claim) {
   return where.front() == '5' ? where.substr(0, 3) : "4";
 }
 
-/// "name: value" of all readings, those in which the claim holds marked.
+/// Every reading on a line of its own, with what it gave; those in which the claim holds are marked.
 std::string readings_of(const Json& claim) {
+  const std::string unit = text(claim, "unit").empty() ? "" : " " + text(claim, "unit");
   std::string out;
   for (const auto& reading : claim.at("readings"))
-    out += fmt::format("{}{}{}", out.empty() ? "" : "; ", text(reading, "name"),
-                       reading.at("holds").get<bool>() ? " (holds)" : "");
+    out +=
+        fmt::format("{}{} {:.4g}{}: {}", out.empty() ? "" : "\n", reading.at("holds").get<bool>() ? "✓" : "✗",
+                    number(reading, "value"), unit, text(reading, "name"));
   return out;
 }
 
@@ -45,9 +47,8 @@ DataTable table_of(const std::string& part, const std::string& title) {
           {{"where"},
            {"claim"},
            {"published"},
-           {"ours"},
            {"status"},
-           {"readings, the chosen one first"},
+           {"ours, by reading (✓ the claim holds)"},
            {"why"},
            {"evidence"}},
           {},
@@ -67,9 +68,8 @@ Section write(const Results& results) {
       const std::string status = text(claim, "status");
       ++count[status];
       open[part] += status == "open" ? 1 : 0;
-      table.rows.push_back({text(claim, "where"), text(claim, "claim"), text(claim, "published"),
-                            text(claim, "ours"), status, readings_of(claim), text(claim, "finding"),
-                            text(claim, "evidence")});
+      table.rows.push_back({text(claim, "where"), text(claim, "claim"), text(claim, "published"), status,
+                            readings_of(claim), text(claim, "finding"), text(claim, "evidence")});
     }
     s.tables.push_back(std::move(table));
   }

@@ -189,7 +189,7 @@ Section write(const Results& results) {
 SectionPlan compatible_bonds(bool long_run) {
   SectionPlan plan{250, "compatible", "Compatible bonds: irregular particles", {}, write};
   for (auto v : plates()) {
-    if (long_run) v.set.push_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
+    if (long_run) v.set.emplace_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
     plan.jobs.push_back(job_of(v, {"static", plate_file}, plate_file));
   }
   for (const auto& v : twists())

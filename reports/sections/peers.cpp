@@ -140,7 +140,8 @@ SectionPlan peers(bool) {
           {{"bench-peers",
             {"bench", "--case", "adjoint-verlet-3d,paper-3d,adjoint-verlet-2d", "--n", "6000,48000",
              "--cores", "1", "--repeats", "3", "--seconds", "0.1"},
-            {}}},
+            {},
+            true}},
           write};
 }
 

@@ -76,7 +76,7 @@ DataTable fits(const Json& ratio, const Json& fixed) {
                             text(fit, "norm"),
                             fit.at("order").is_number() ? Entry(number(fit, "order")) : Entry(), end(0),
                             end(1), text(fit, "verdict")});
-      table.row_jobs.push_back(result == &ratio ? "refinement-ratio" : "refinement-fixed");
+      table.row_jobs.emplace_back(result == &ratio ? "refinement-ratio" : "refinement-fixed");
       table.figures.push_back(std::string(result == &ratio ? "fig6-ratio-" : "fig6-fixed-") +
                               (text(fit, "field") == cubic ? "cubic" : "sine"));
     }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -16,18 +17,40 @@ using Json = nlohmann::ordered_json;
 const char* const cube = "verification/scenes/free_cube.toml";
 
 Entry entry(const Json& row, const std::string& key) {
-  const Json& value = row.at(key);
+  const Json value = row.value(key, Json());
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
   return value.get<double>();
 }
 
+/// What a key of a scene or of the result is called in a table.
+std::string in_words(std::string key) {
+  const auto dot = key.find('.');
+  if (dot != std::string::npos) key.erase(0, dot + 1);
+  if (key == "lowest_nonrigid") return "lowest not rigid";
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
+/// The body could not be built; the row has no numbers but says why.
+bool is_refused(const Json& row) {
+  return row.contains("status") && text(row, "status").starts_with("refused");
+}
+
 DataTable table_of(const Json& rows, const std::string& id, const std::string& title, const std::string& job,
                    const std::vector<std::string>& swept) {
   DataTable table{id, title, {}, {}, {job}, {}};
-  const std::vector<Column> measured = {
-      {"rigid", "", 0}, {"near_zero_not_rigid", "", 0}, {"lowest_nonrigid"}, {"lowest_smooth"}, {"largest"},
-      {"stable_cfl"},   {"complex_pairs", "", 0},       {"negative", "", 0}, {"growth_rate"}};
+  std::vector<Column> measured = {{"rigid", "", 0},
+                                  {"near_zero_not_rigid", "", 0},
+                                  {"spurious_below_smooth", "", 0},
+                                  {"lowest_nonrigid"},
+                                  {"lowest_smooth"},
+                                  {"largest"},
+                                  {"stable_cfl"},
+                                  {"complex_pairs", "", 0},
+                                  {"negative", "", 0},
+                                  {"growth_rate"}};
+  if (std::ranges::any_of(rows, is_refused)) measured.push_back({"status"});
   for (const auto& key : swept) table.columns.push_back({key});
   table.columns.insert(table.columns.end(), measured.begin(), measured.end());
   for (const auto& row : rows) {
@@ -35,19 +58,22 @@ DataTable table_of(const Json& rows, const std::string& id, const std::string& t
     for (const auto& column : table.columns) line.push_back(entry(row, column.name));
     table.rows.push_back(std::move(line));
   }
+  for (auto& column : table.columns) column.name = in_words(column.name);
   return table;
 }
 
-/// The betas, for which no row of the scheme has a spurious mode below the smooth ones.
+/// "at beta = 0.9, 1.2": those for which every body of the scheme can be built and none has a spurious mode
+/// below the smooth ones; or "at no beta".
 std::string betas_without_soft_modes(const Json& rows, const std::string& gradient) {
   std::map<double, bool> soft;
   for (const auto& row : rows)
     if (text(row, "method.gradient") == gradient)
-      soft[std::stod(text(row, "method.beta"))] |= number(row, "spurious_below_smooth") > 0;
+      soft[std::stod(text(row, "method.beta"))] |=
+          is_refused(row) || number(row, "spurious_below_smooth") > 0;
   std::string list;
   for (const auto& [beta, some] : soft)
     if (!some) list += fmt::format("{}{:g}", list.empty() ? "" : ", ", beta);
-  return list.empty() ? "none" : list;
+  return list.empty() ? "at no beta" : "at beta = " + list;
 }
 
 /// The mode of least energy of one body.
@@ -97,11 +123,9 @@ Section write(const Results& results) {
   s.answer = fmt::format(
       "The paper's symmetrised force lets a free cube grow by exp({:.3g} t c_p/d) whatever the time step; "
       "the "
-      "adjoint force has no growth. Compatible bonds have no spurious mode below the smooth ones at beta = "
-      "{} in 2D and "
-      "{} in 3D, lattice and jittered; the improved gradient on the same clouds at {} and {}, the standard "
-      "one at {} and "
-      "{}.",
+      "adjoint force has no growth. Compatible bonds have no spurious mode below the smooth ones {} in 2D "
+      "and {} in 3D, lattice and jittered; the "
+      "improved gradient on the same clouds {} and {}, the standard one {} and {}.",
       growth, betas_without_soft_modes(results.json("plate-soft").at("rows"), "compatible"),
       betas_without_soft_modes(results.json("cube-soft").at("rows"), "compatible"),
       betas_without_soft_modes(results.json("plate-soft").at("rows"), "improved"),
@@ -124,6 +148,15 @@ Section write(const Results& results) {
       table_of(results.json("cube-soft").at("rows"), "cube-soft",
                "Free cube of 5^3 particles on its surface, adjoint force, nu = 0.3", "cube-soft",
                {"body.jitter", "method.beta", "method.gradient"}),
+      table_of(results.json("compatible-growth").at("rows"), "compatible-growth",
+               "Compatible bonds, free plate on its surface: modes as it is refined", "compatible-growth",
+               {"body.jitter", "method.beta", "body.spacing"}),
+      table_of(results.json("compatible-start").at("rows"), "compatible-start",
+               "Compatible bonds at beta = 1.5, free plate of 11 x 11: start table and kernel",
+               "compatible-start", {"body.jitter", "compatible.start", "method.kernel"}),
+      table_of(results.json("compatible-energy").at("rows"), "compatible-energy",
+               "Compatible bonds with hourglass energy, free plate of 11 x 11", "compatible-energy",
+               {"body.jitter", "method.beta", "hourglass.alpha"}),
       table_of(results.json("cube-forms").at("rows"), "cube-forms", "Free cube of 4^3 particles, nu = 0.495",
                "cube-forms", {"method.momentum", "method.pair", "method.gradient"})};
   s.notes = {
@@ -142,7 +175,8 @@ SectionPlan spectrum(bool) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Job{id, arguments, {scene}};
   };
-  const std::string plate = "verification/scenes/free_plate.toml", betas = "method.beta=0.9,1.2,1.5",
+  const std::string plate = "verification/scenes/free_plate.toml",
+                    betas = "method.beta=0.6,0.75,0.9,1.05,1.2,1.35,1.5",
                     gradients = "method.gradient=standard,improved,compatible";
   return {
       720,
@@ -163,6 +197,16 @@ SectionPlan spectrum(bool) {
        job("cube-soft", cube,
            {"--set", "body.layout=node", "--set", "method.momentum=adjoint", "--set", "material.poisson=0.3",
             "--over", "body.jitter=0,0.2", "--over", betas, "--over", gradients}),
+       job("compatible-growth", plate,
+           {"--set", "body.layout=node", "--set", "method.gradient=compatible", "--over", "body.jitter=0,0.2",
+            "--over", "method.beta=0.9,1.2,1.5", "--over", "body.spacing=0.1,0.05"}),
+       job("compatible-start", plate,
+           {"--set", "body.layout=node", "--set", "method.gradient=compatible", "--set", "method.beta=1.5",
+            "--over", "body.jitter=0,0.2", "--over", "compatible.start=standard,improved", "--over",
+            "method.kernel=cubic,quadratic,wendland-c2,quintic"}),
+       job("compatible-energy", plate,
+           {"--set", "body.layout=node", "--set", "method.gradient=compatible", "--over", "body.jitter=0,0.2",
+            "--over", "method.beta=0.9,1.2,1.5", "--over", "hourglass.alpha=0,0.1,0.5,2"}),
        job("worst-plate-standard", plate, {"--set", "method.beta=1.2", "--set", "method.gradient=standard"}),
        job("worst-plate-improved", plate,
            {"--set", "method.beta=1.2", "--set", "body.layout=node", "--set", "body.jitter=0.2"}),

@@ -144,8 +144,8 @@ SectionPlan speed(bool long_run) {
   return {910,
           "speed",
           "Speed",
-          {{"bench", std::move(whole_runs), {}},
-           {"bench-kernels", {"bench", "--kernels", "--n", "27000", "--seconds", "0.05"}, {}}},
+          {{"bench", std::move(whole_runs), {}, true},
+           {"bench-kernels", {"bench", "--kernels", "--n", "27000", "--seconds", "0.05"}, {}, true}},
           write};
 }
 

@@ -126,7 +126,8 @@ SectionPlan speed_goals(bool) {
                         const std::string& cores) {
     return Job{id,
                {"bench", "--case", cases, "--n", n, "--cores", cores, "--repeats", "12", "--seconds", "0.15"},
-               {}};
+               {},
+               true};
   };
   return {905,
           "speed-goals",

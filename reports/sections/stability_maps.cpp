@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "reports/checks.hpp"
@@ -13,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> outcomes = {"stable",        "non-finite",         "inverted",
-                                           "energy-growth", "time-step-collapse", "hourglass"};
+const std::vector<std::string> outcomes = {
+    "stable", "non-finite", "inverted", "energy-growth", "time-step-collapse", "hourglass", "refused"};
 
 std::string word(const Json& value) {
   if (value.is_null()) return "";
@@ -119,15 +121,33 @@ DataTable table_of(const Json& study, const std::string& job) {
   return table;
 }
 
+/// "compatible F at 0.6: refused: .." for every cell whose body cannot be built, once for each reason.
+std::vector<std::string> refusals(const Results& results, const std::vector<Job>& jobs) {
+  std::map<std::string, std::string> places;  // by reason
+  for (const auto& job : jobs)
+    for (const Json study = results.json(job.id); const auto& row : study.at("rows"))
+      if (row.contains("cause") && row.at("cause") == "refused") {
+        std::string& found = places[text(row, "status")];
+        found += fmt::format("{}{}, {} ({})", found.empty() ? "" : "; ", text(row, "variant"),
+                             word(row.at("x")), text(study, "study"));
+      }
+  std::vector<std::string> notes;
+  for (const auto& [reason, where] : places) notes.push_back(where + ": " + reason + ".");
+  return notes;
+}
+
 /// The bisected limits of small motion against those of the linearised operator.
 void compare_with_theory(const Results& results, Section& s) {
   double worst = 0;
-  for (const auto& limit : results.json("edge-small-motion").at("rows"))
-    for (const auto& spectrum : results.json("edge-theory").at("rows"))
+  const Json limits = results.json("edge-small-motion"), theory = results.json("edge-theory");
+  for (const auto& limit : limits.at("rows"))
+    for (const auto& spectrum : theory.at("rows"))
       if (text(spectrum, "method.integrator") + ", " + text(spectrum, "method.gradient") ==
               text(limit, "variant") &&
-          std::stod(text(spectrum, "method.beta")) == number(limit, "x"))
-        worst = std::max(worst, std::abs(number(limit, "limit") / number(spectrum, "stable_cfl") - 1));
+          std::stod(text(spectrum, "method.beta")) == number(limit, "x")) {
+        const double apart = std::abs(number(limit, "limit") / number(spectrum, "stable_cfl") - 1);
+        worst = std::max(worst, std::isfinite(apart) ? apart : std::numeric_limits<double>::infinity());
+      }
   s.checks.push_back(
       bound_check("cfl limit of small motion, found by running, against the largest eigenvalue", worst, 0.05,
                   "relative; steps near the limit grow slowly"));
@@ -153,6 +173,7 @@ Section write(const Results& results, const std::vector<Job>& jobs) {
       "Each cell is bisected until stable and unstable values are as close as the study says; that a scheme "
       "might "
       "become stable again beyond its first edge is not looked for."};
+  for (auto& note : refusals(results, jobs)) s.notes.push_back(std::move(note));
   return s;
 }
 

@@ -52,7 +52,7 @@ std::vector<Variant> other_variants() {
 Job job_of(const Variant& variant) {
   Job job{variant.id, {"mms", variant.file}, {variant.file}};
   for (const auto& entry : variant.set) {
-    job.arguments.push_back("--set");
+    job.arguments.emplace_back("--set");
     job.arguments.push_back(entry);
   }
   return job;

@@ -39,7 +39,7 @@ Job job_of(const Comparison& comparison, bool long_run) {
            "study.quadrature=nodal", "--set", "study.periods=0.125", "--set", "method.integrator=verlet"},
           {file}};
   for (const auto& axis : comparison.vary) {
-    job.arguments.push_back("--vary");
+    job.arguments.emplace_back("--vary");
     job.arguments.push_back(axis);
   }
   return job;
@@ -122,9 +122,9 @@ Section write(const Results& results) {
       all.row_jobs.push_back(comparison.id);
       points_on_front += point.at("front_cpu") == true;
       all.rows.push_back({text(point, "method"), number(point, "d"),
-                          broken ? Entry("unstable") : Entry(number(point, "error")), number(point, "cpu_s"),
-                          number(point, "cpu_spread_s"), number(point, "pair_evaluations"),
-                          point.at("front_cpu") == true ? "yes" : "no",
+                          broken ? Entry(text(point, "status")) : Entry(number(point, "error")),
+                          number(point, "cpu_s"), number(point, "cpu_spread_s"),
+                          number(point, "pair_evaluations"), point.at("front_cpu") == true ? "yes" : "no",
                           point.at("front_work") == true ? "yes" : "no"});
     }
     cheapest.jobs.push_back(comparison.id);

@@ -117,14 +117,16 @@ class Reader {
     }
     std::string shown(name);
     for (const auto& [key, value] : greek)
-      if (name.starts_with(key) && name.find_first_not_of("0123456789", key.size()) == name.npos) {
+      if (name.starts_with(key) &&
+          name.find_first_not_of("0123456789", key.size()) == std::string_view::npos) {
         shown = std::string(value) + std::string(name.substr(key.size()));
         break;
       }
     const std::string mark = marks();
     if (name.size() == 1 && !mark.empty() && mark != "\u0303")  // apart, so that the letter stays slanted
       return scripts("<mrow><mi>" + shown + "</mi><mtext>" + mark + "</mtext></mrow>");
-    if (name.size() > 1 && is_letter(name[0]) && name.find_first_not_of("0123456789", 1) == name.npos)
+    if (name.size() > 1 && is_letter(name[0]) &&
+        name.find_first_not_of("0123456789", 1) == std::string_view::npos)
       return scripts(fmt::format("<mrow><mi>{}</mi><mn>{}</mn></mrow>", name.substr(0, 1), name.substr(1)));
     return scripts("<mi>" + shown + mark + "</mi>");
   }
@@ -133,7 +135,7 @@ class Reader {
   bool is_prose(std::string_view name, bool after_word) const {
     if (peek() == '_' || peek() == '^' || peek() == '\'' || peek() == '~') return false;
     if (name == "a" && peek() == ' ' && is_letter(peek(1)) && is_letter(peek(2))) return true;
-    if (name.size() == 1 || name.find_first_of("0123456789") != name.npos) return false;
+    if (name.size() == 1 || name.find_first_of("0123456789") != std::string_view::npos) return false;
     for (const auto& [key, value] : greek)
       if (name == key) return false;
     for (const auto& symbol : symbols)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <md4c-html.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -125,6 +126,10 @@ std::string page_of(const std::string& markdown) {
   if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &out, MD_FLAG_TABLES,
               MD_HTML_FLAG_XHTML) != 0)
     throw std::runtime_error("the theory cannot be turned into HTML");
+  // Wide tables scroll by themselves on a narrow screen; those of equations, which have no tbody, do so
+  // already.
+  boost::replace_all(out, "<table>", "<div class=\"scroll\"><table>");
+  boost::replace_all(out, "</tbody>\n</table>", "</tbody>\n</table></div>");
   return out;
 }
 

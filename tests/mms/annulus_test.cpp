@@ -9,6 +9,7 @@
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
 #include "plumbline/scene/simulation.hpp"
+#include "plumbline/solid/evaluate.hpp"
 
 namespace plumb::mms {
 namespace {

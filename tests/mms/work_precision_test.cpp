@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace plumb::mms {
@@ -43,6 +44,23 @@ TEST(WorkPrecision, WorkIsCountedAndTheCheapestIsFound) {
   EXPECT_EQ(result.cheapest[1].measure, "pair_evaluations");
   EXPECT_EQ(result.cheapest[1].variant, 0u);
   EXPECT_EQ(result.cheapest[1].cost, static_cast<double>(result.points[0].pair_evaluations));
+}
+
+TEST(WorkPrecision, WhatCannotBeBuiltIsAPointWithoutError) {
+  Study refused = plate("verlet");
+  refused.method.gradient = "compatible";
+  refused.method.beta = 0.55;
+  refused.body.jitter = 0.3;
+  const WorkPrecision result = work_precision({{"none", refused}, {"verlet", plate("verlet")}}, 1, {1});
+  ASSERT_EQ(result.points.size(), 4u);
+  for (const auto& point : result.points) {
+    EXPECT_EQ(point.refused, point.variant == 0);
+    EXPECT_EQ(std::isnan(point.error), point.refused);
+    EXPECT_EQ(point.failure.has_value(), point.refused);
+    EXPECT_FALSE(point.refused && (point.front_cpu || point.front_work));
+  }
+  for (const auto& cheapest : result.cheapest) EXPECT_EQ(cheapest.variant, 1u);
+  EXPECT_THROW(work_precision({{"none", refused}}, 1, {1}), InputError);
 }
 
 }  // namespace

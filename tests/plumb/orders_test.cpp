@@ -23,6 +23,7 @@ TEST(Orders, MmsGivesDisplacementVelocityAndStressAbsoluteAndRelative) {
   for (const char* norm : {"l2", "h1", "linf", "velocity_l2", "stress_l2"})
     for (const std::string& name : {std::string(norm), std::string(norm) + "_gauss"}) {
       for (const auto& level : result["levels"]) {
+        EXPECT_GT(level["setup_s"].get<double>(), 0);
         ASSERT_TRUE(level[name].is_number()) << name;
         const double relative = level["relative_" + name].get<double>();
         EXPECT_GT(relative, 0) << name;

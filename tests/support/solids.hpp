@@ -2,7 +2,7 @@
 #include <random>
 #include <string>
 
-#include "plumbline/solid/solid.hpp"
+#include "plumbline/solid/evaluate.hpp"
 
 /// Bodies for the tests of the solver.
 namespace plumb::testing {

@@ -87,13 +87,13 @@ Json json_of(const mms::WorkPrecision& result, int repeats) {
     Json row{{"method", result.labels[p.variant]},
              {"d", p.d},
              {"error", number_or_null(p.error)},
-             {"cpu_s", p.cpu_s},
+             {"cpu_s", number_or_null(p.cpu_s)},
              {"cpu_spread_s", p.cpu_spread_s},
-             {"wall_s", p.wall_s},
+             {"wall_s", number_or_null(p.wall_s)},
              {"pair_evaluations", p.pair_evaluations},
              {"front_cpu", p.front_cpu},
              {"front_work", p.front_work}};
-    if (p.failure) row["status"] = "unstable: " + *p.failure;
+    if (p.failure) row["status"] = (p.refused ? "refused: " : "unstable: ") + *p.failure;
     points.push_back(row);
   }
   for (const auto& c : result.cheapest)

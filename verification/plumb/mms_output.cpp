@@ -18,6 +18,7 @@ Json level_json(const Study& study, const mms::StudyLevel& level) {
     row["relative_" + norm] = mms::norm_of(level, norm) / mms::size_of(level, norm);
   row["cpu_s"] = level.cpu_s;
   row["wall_s"] = level.wall_s;
+  row["setup_s"] = level.setup_s;
   row["pair_evaluations"] = level.pair_evaluations;
   if (level.failure) row["status"] = "unstable: " + *level.failure;
   return row;
@@ -70,7 +71,8 @@ Json shown(const Json& levels) {
   for (const auto& level : levels) {
     Json row;
     for (const auto& [key, value] : level.items())
-      if (!key.starts_with("relative_") && drawn(key) && key != "wall_s" && key != "pair_evaluations")
+      if (!key.starts_with("relative_") && drawn(key) && key != "wall_s" && key != "setup_s" &&
+          key != "pair_evaluations")
         row[key] = value;
     rows.push_back(row);
   }

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/solid/solid.hpp"
+#include "plumbline/solid/evaluate.hpp"
 
 namespace plumb {
 

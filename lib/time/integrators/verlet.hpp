@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumbline/solid/solid.hpp"
+#include "plumbline/solid/evaluate.hpp"
 
 namespace plumb {
 

@@ -141,6 +141,28 @@ TEST(HardClouds, BlueNoise) {
   }
 }
 
+// Facets that have no particle on them are extrapolated: with few neighbours that takes large area vectors.
+TEST(HardClouds, LargeChangesAreWarnedOf) {
+  Scene scene = scene_of<2>({1, 1}, 0.1, Layout::cell);
+  scene.body.jitter = 0.2;
+  scene.body.holes = {{"ball", {{"centre", {0.5, 0.5}}, {"radius", {0.25}}}}};
+  const auto warned = [&scene] {
+    const auto made = make_simulation<2>(scene);
+    const bool large = made.compatible->largest_change > 3;
+    EXPECT_EQ(made.warnings.size(), large ? 1U : 0U);
+    if (large && !made.warnings.empty()) {
+      EXPECT_NE(made.warnings.front().find("layout = \"node\""), std::string::npos);
+    }
+    return large;
+  };
+  EXPECT_TRUE(warned());
+  scene.method.beta = 1.5;
+  EXPECT_FALSE(warned());
+  scene.method.beta = 0.9;
+  scene.body.layout = Layout::node;
+  EXPECT_FALSE(warned());
+}
+
 // Without a surface the particles' own is guessed: half a spacing beyond them, so a cell layout gets its box
 // but for the corners.
 TEST(HardClouds, WithoutASurface) {

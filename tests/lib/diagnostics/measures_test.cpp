@@ -40,5 +40,43 @@ TEST(HourglassShare, AnAlternatingMotionIsNotExplained) {
   EXPECT_NEAR(hourglass_share(solid, state), 0.02, 0.002);
 }
 
+/// Energy of a body that is turned as a whole: nothing but round-off.
+template <int d>
+double energy_of_a_turn(const Solid<d>& solid, double angle) {
+  State<d> state = make_state(solid);
+  Mat<d> turn = Mat<d>::Identity();
+  turn(0, 0) = turn(1, 1) = std::cos(angle);
+  turn(1, 0) = std::sin(angle);
+  turn(0, 1) = -turn(1, 0);
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    set_vector<d>(state.u, solid.bonds.slots.of(i), turn * solid.cloud.X[i] - solid.cloud.X[i]);
+  return energy_of(solid, state).strain;
+}
+
+template <int d>
+void expect_a_bound(const std::string& material, double jitter, double size) {
+  Cloud<d> cloud = testing::block<d>(8, Layout::node, jitter);
+  for (auto& X : cloud.X) X *= size;
+  for (auto& V : cloud.V) V *= std::pow(size, d);
+  cloud.spacing *= size;
+  const auto options = testing::options<d>({}, cloud.spacing);
+  const Elastic rubber{17e6, 0.4999, 1100};
+  const Solid<d> solid = make_solid<d>(std::move(cloud), material, rubber, options);
+  double most = 0;
+  for (int n = 0; n < 60; ++n) most = std::max(most, std::abs(energy_of_a_turn(solid, 0.1 * n)));
+  EXPECT_LT(most, energy_round_off(solid)) << material << ' ' << d << 'D';
+  EXPECT_GT(most, energy_round_off(solid) / 200) << material << ' ' << d << "D: the bound says nothing";
+}
+
+// THEORY (8.9), whatever the unit of length.
+TEST(EnergyRoundOff, OfABodyThatIsOnlyTurnedIsWithinItsBound) {
+  for (const char* material : {"neo-hookean", "mooney-rivlin"})
+    for (const double jitter : {0.0, 0.2})
+      for (const double size : {1e-6, 1.0, 1e6}) {
+        expect_a_bound<2>(material, jitter, size);
+        expect_a_bound<3>(material, jitter, size);
+      }
+}
+
 }  // namespace
 }  // namespace plumb

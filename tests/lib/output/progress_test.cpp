@@ -22,6 +22,15 @@ TEST(Progress, TimeLeftCountsFromWhereTheWorkBegan) {
   EXPECT_FALSE(seconds_left(10, 0.8, 0.8)) << "no rate yet";
 }
 
+/// In the unit in which people read it: one per cent or more, if an hour brings as much.
+TEST(Progress, RateHasAUnitThatFits) {
+  EXPECT_EQ(rate_text(10, 0.5, 0), "5 %/s");
+  EXPECT_EQ(rate_text(10, 0.75, 0.5), "2.5 %/s") << "only what was done in this sitting";
+  EXPECT_EQ(rate_text(100, 0.5, 0), "30 %/min");
+  EXPECT_EQ(rate_text(3600, 0.12, 0), "12 %/h");
+  EXPECT_EQ(rate_text(10, 0.4, 0.4), "");
+}
+
 TEST(Progress, ShortWorkAndQuietWorkPrintNothing) {
   std::FILE* file = std::tmpfile();
   ASSERT_NE(file, nullptr);

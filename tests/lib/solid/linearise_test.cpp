@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plumbline/momentum/momentum_form.hpp"
+#include "plumbline/solid/evaluate.hpp"
 
 namespace plumb {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/models/neo_hookean.hpp"
+#include "plumbline/solid/evaluate.hpp"
 #include "plumbline/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 

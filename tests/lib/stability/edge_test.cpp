@@ -29,6 +29,21 @@ TEST(Edge, FromZeroTheDistanceIsHalved) {
   EXPECT_LE(found.unstable - found.stable, 0.01);
 }
 
+TEST(Edge, TheLowerEndIsTriedOnlyIfTheMiddleIsUnstable) {
+  for (const double edge : {0.5, 2.0}) {
+    int low = 0, runs = 0;
+    const Edge found = find_edge(0.1, 10, 0.01, [&](double value) {
+      low += value == 0.1;
+      ++runs;
+      return value < edge;
+    });
+    EXPECT_EQ(low, edge < 1 ? 1 : 0);
+    EXPECT_EQ(found.runs, runs);
+    EXPECT_LT(found.stable, edge);
+    EXPECT_GE(found.unstable, edge);
+  }
+}
+
 TEST(Edge, OutsideOfTheRangeOneSideIsMissing) {
   const Edge never = find_edge(1, 2, 0.1, [](double) { return true; });
   EXPECT_EQ(never.stable, 2);
@@ -36,7 +51,11 @@ TEST(Edge, OutsideOfTheRangeOneSideIsMissing) {
   const Edge always = find_edge(1, 2, 0.1, [](double) { return false; });
   EXPECT_TRUE(std::isnan(always.stable));
   EXPECT_EQ(always.unstable, 1);
-  EXPECT_EQ(always.runs, 1);
+  EXPECT_EQ(always.runs, 3) << "the upper end, the middle, the lower end";
+  const Edge close = find_edge(1, 1.05, 0.1, [](double) { return false; });
+  EXPECT_TRUE(std::isnan(close.stable)) << "there is no middle to be tried";
+  EXPECT_EQ(close.unstable, 1);
+  EXPECT_EQ(find_edge(1, 1.05, 0.1, [](double value) { return value < 1.01; }).stable, 1);
 }
 
 }  // namespace

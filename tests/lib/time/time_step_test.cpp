@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plumbline/solid/evaluate.hpp"
 #include "plumbline/solid/run.hpp"
 #include "tests/support/solids.hpp"
 

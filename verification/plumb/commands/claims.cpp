@@ -31,7 +31,7 @@ struct ClaimsOptions {
 std::string found_text(const claims::Claim& claim) {
   std::string text;
   for (const auto& r : claim.readings)
-    text += fmt::format("{}{}: {:.6g}{}", text.empty() ? "" : "; ", r.name, r.value,
+    text += fmt::format("{}{}: {:.4g}{}", text.empty() ? "" : "; ", r.name, r.value,
                         claim.unit.empty() ? "" : " " + claim.unit);
   return text;
 }
@@ -63,6 +63,7 @@ Json json_of(const claims::Claim& claim) {
           {"evidence", evidence_text(claim)},
           {"picture", claim.picture},
           {"chosen", claim.readings.front().name},
+          {"unit", claim.unit},
           {"readings", readings}};
 }
 

@@ -113,12 +113,27 @@ std::string text_of(const Json& r) {
       r["growth_rate_undamped"].get<double>());
 }
 
+/// What the combination sets, as the start of its row.
+Json row_of(const std::vector<std::string>& set) {
+  Json row = Json::object();
+  for (const auto& entry : set) row[entry.substr(0, entry.find('='))] = entry.substr(entry.find('=') + 1);
+  return row;
+}
+
 /// One row per combination: the set values and the numbers, without the modes.
 Json row_of(const std::vector<std::string>& set, const Json& result) {
-  Json row;
-  for (const auto& entry : set) row[entry.substr(0, entry.find('='))] = entry.substr(entry.find('=') + 1);
+  Json row = row_of(set);
   for (const auto& [key, value] : result.items())
     if (key != "scene" && key != "modes" && key != "worst") row[key] = value;
+  return row;
+}
+
+/// The row of a body that cannot be built: the reason, and no numbers.
+Json refused_row(const std::vector<std::string>& set, const InputError& error) {
+  Json row = row_of(set, result_of(Spectrum{}, Scene{}, 1, 0));
+  for (auto& value : row)
+    if (value.is_number() || value.is_boolean()) value = nullptr;
+  row["status"] = "refused: " + error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")");
   return row;
 }
 
@@ -143,6 +158,28 @@ void draw_worst(const Session& session, const Json& result) {
       session.plot);
 }
 
+Json analyse(const Scene& scene, const SpectrumOptions& options) {
+  return scene.dimension == 2 ? analyse<2>(scene, options) : analyse<3>(scene, options);
+}
+
+/// One row per combination. Bodies that cannot be built are rows too, if some other can.
+Json rows_of(const std::vector<std::vector<std::string>>& sets, const std::vector<Scene>& scenes,
+             const SpectrumOptions& options, Progress& progress) {
+  Json rows = Json::array();
+  std::size_t refused = 0;
+  for (std::size_t n = 0; n < scenes.size(); ++n) {
+    try {
+      rows.push_back(row_of(sets[n], analyse(scenes[n], options)));
+    } catch (const InputError& error) {
+      if (++refused == scenes.size()) throw;
+      rows.push_back(refused_row(sets[n], error));
+    }
+    progress.update(static_cast<double>(n + 1) / static_cast<double>(scenes.size()),
+                    fmt::format("{} of {} spectra", n + 1, scenes.size()));
+  }
+  return rows;
+}
+
 int run_spectrum(const Session& session, const SpectrumCommand& command) {
   const auto sets = combinations(command.over);
   if (!session.plot.empty() && (!command.over.empty() || command.symbol > 0))
@@ -156,23 +193,17 @@ int run_spectrum(const Session& session, const SpectrumCommand& command) {
     scenes.push_back(read_scene(command.file, overrides));
   }
   if (command.symbol > 0) return run_symbol(session, sets, scenes, command.symbol);
-  Json rows = Json::array(), single;
   Progress progress("spectrum", session.progress());
-  for (std::size_t n = 0; n < scenes.size(); ++n) {
-    const Json result = scenes[n].dimension == 2 ? analyse<2>(scenes[n], command.options)
-                                                 : analyse<3>(scenes[n], command.options);
-    rows.push_back(row_of(sets[n], result));
-    single = result;
-    progress.update(static_cast<double>(n + 1) / static_cast<double>(scenes.size()),
-                    fmt::format("{} of {} spectra", n + 1, scenes.size()));
-  }
-  progress.finish();
   if (command.over.empty()) {
+    const Json single = analyse(scenes.front(), command.options);
+    progress.finish();
     session.text() << text_of(single) << std::flush;
     draw_worst(session, single);
     session.write_csv(single["modes"]);
     session.write_json(single);
   } else {
+    const Json rows = rows_of(sets, scenes, command.options, progress);
+    progress.finish();
     session.write_table(rows);
     session.write_json({{"scene", scenes.front().name}, {"rows", rows}});
   }

@@ -2,6 +2,7 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -44,7 +45,7 @@ std::string content_of(const StabilityStudy& study, const std::vector<std::strin
   std::string content = build_identity() + "\n";
   for (const auto& [key, text] :
        settings_of(parse_document(study.scene, study.file, overrides, scene_alternatives())))
-    content += key + " = " + text + "\n";
+    content.append(key).append(" = ").append(text).append("\n");
   content += fmt::format("bounds {} {}", study.bounds.energy_growth.value_or(-1),
                          study.bounds.hourglass.value_or(-1));
   return content + (study.parameter == EdgeParameter::twist ? fmt::format(" twist {}", value) : "");
@@ -65,6 +66,7 @@ class Map {
     std::exception_ptr problem;
     std::atomic<int> finished = 0;
 #pragma omp parallel for schedule(dynamic)
+    // NOLINTNEXTLINE(modernize-loop-convert): OpenMP shares out indices
     for (std::size_t n = 0; n < cells.size(); ++n) {
       if (interrupted() || problem) continue;
       try {
@@ -87,7 +89,7 @@ class Map {
 
  private:
   void fill(Cell& cell) {
-    const auto stable = [&](double value) { return !trial(cell, value).cause; };
+    const auto stable = [&](double value) { return trial(cell, value).stable(); };
     if (study_.parameter == EdgeParameter::stretch) {
       stable(0);
       cell.edge.runs = 1;
@@ -104,7 +106,7 @@ class Map {
     if (!found) {
       found = try_scene(scene_of(study_, overrides, value), study_.bounds, [] { return !interrupted(); });
       if (!found) throw Stopped{};
-      cache_.keep(content, *found);
+      if (found->refused.empty()) cache_.keep(content, *found);
     }
     return cell.trials.emplace_back(value, *found).second;
   }
@@ -116,13 +118,14 @@ class Map {
 /// The run that shows how it ends beyond the edge: the one at the least unstable value.
 const Trial* beyond(const Cell& cell, EdgeParameter parameter) {
   for (const auto& [value, trial] : cell.trials)
-    if (trial.cause && (parameter == EdgeParameter::stretch || value == cell.edge.unstable)) return &trial;
+    if (!trial.stable() && (parameter == EdgeParameter::stretch || value == cell.edge.unstable))
+      return &trial;
   return nullptr;
 }
 
 Json row_of(const Cell& cell, EdgeParameter parameter) {
   const Trial* end = beyond(cell, parameter);
-  const bool pulled = parameter == EdgeParameter::stretch;
+  const bool pulled = parameter == EdgeParameter::stretch, refused = end && !end->cause;
   double cpu = 0;
   for (const auto& [value, trial] : cell.trials) cpu += trial.cpu;
   const double number = cell.over_value.empty() ? NAN : std::strtod(cell.over_value.c_str(), nullptr);
@@ -131,15 +134,27 @@ Json row_of(const Cell& cell, EdgeParameter parameter) {
       {"x", cell.over_value.find_first_not_of("0123456789.e-+") == std::string::npos ? Json(number)
                                                                                      : Json(cell.over_value)},
       {"y", pulled ? Json() : Json(cell.edge.unstable)},
-      {"limit", pulled ? Json(cell.trials.front().second.stretch) : Json(cell.edge.stable)},
-      {"cause", end ? Json(name_of(*end->cause)) : Json()},
-      {"time", end ? Json(end->time) : Json()},
-      {"hourglass", (end ? *end : cell.trials.back().second).hourglass},
+      {"limit",
+       pulled ? (refused ? Json() : Json(cell.trials.front().second.stretch)) : Json(cell.edge.stable)},
+      {"cause", end ? (refused ? Json("refused") : Json(name_of(*end->cause))) : Json()},
+      {"time", end && !refused ? Json(end->time) : Json()},
+      {"hourglass", refused ? Json() : Json((end ? *end : cell.trials.back().second).hourglass)},
       {"runs", cell.edge.runs},
       {"cpu_s", cpu}};
+  if (refused) row["status"] = "refused: " + end->refused;
   for (const char* key : {"y", "limit", "x"})
     if (row[key].is_number() && !std::isfinite(row[key].get<double>())) row[key] = nullptr;
   return row;
+}
+
+/// A study of which nothing can be built is bad input. Throws InputError.
+void require_some(const std::vector<Cell>& cells) {
+  const auto refused = [](const Cell& cell) {
+    return cell.done &&
+           std::ranges::all_of(cell.trials, [](const auto& t) { return !t.second.refused.empty(); });
+  };
+  if (std::ranges::all_of(cells, refused))
+    throw InputError("no scene of the study can be built", cells.front().trials.front().second.refused, "");
 }
 
 int stability(const Session& session, const StabilityOptions& options) {
@@ -152,6 +167,7 @@ int stability(const Session& session, const StabilityOptions& options) {
   Map map(study, TrialCache(options.cache));
   const bool whole = map.make(progress);
   progress.finish();
+  require_some(map.cells);
   Json rows = Json::array();
   for (const auto& cell : map.cells)
     if (cell.done) rows.push_back(row_of(cell, study.parameter));

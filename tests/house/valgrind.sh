@@ -1,0 +1,45 @@
+#!/bin/bash
+# valgrind.sh [PLUMB]: memcheck over short runs of the program: scenes of every kind with all that they can write, a run that goes on from
+# its checkpoint, explain, the table of bad inputs, studies. Some minutes of one core. PLUMB is a binary without AVX-512, which valgrind
+# 3.19 does not know: cmake --preset package && cmake --build --preset package --target plumb. Exit code 1 on an error or a lost block.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+plumb=$(realpath "${1:-build/package/bin/plumb}") || exit 1
+work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
+suppressions=$PWD/tests/house/valgrind.supp
+export OMP_NUM_THREADS=1
+bad=0 seen=0
+
+# clean CODE ARGUMENTS..: plumb with these arguments ends with CODE, and valgrind has nothing to say
+clean() {
+  local code=$1
+  shift
+  valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect --suppressions="$suppressions" \
+    --log-file="$work/valgrind.txt" "$plumb" "$@" >"$work/out.txt" 2>&1
+  local ended=$?
+  seen=$((seen + 1))
+  if [ $ended = "$code" ] && ! [ -s "$work/valgrind.txt" ]; then echo "clean: plumb $*" && return; fi
+  bad=1
+  echo "NOT CLEAN (ended with $ended): plumb $*"
+  head -n 60 "$work/valgrind.txt"
+  [ $ended = "$code" ] || [ $ended = 99 ] || tail -n 5 "$work/out.txt"
+}
+
+scenes=verification/scenes
+all_of_it=(--set output.vtk=true --set output.series=true --set output.budget=true --set 'output.every=1e-4' --set 'output.checkpoint=1e-4')
+clean 0 run $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --set scene.max_steps=3 "${all_of_it[@]}" --out "$work/column"
+clean 0 run $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --set scene.max_steps=3 "${all_of_it[@]}" --out "$work/column" --resume
+clean 0 run $scenes/swinging-plate.toml --set scene.max_steps=3 "${all_of_it[@]}" --csv "$work/state.csv" --json "$work/plate.json" --out "$work/plate"
+clean 0 run $scenes/spinning-plate-projection.toml --set body.particles='[12, 12]' --set scene.max_steps=3 --out "$work/projection"
+clean 0 run $scenes/spinning-ring.toml --set body.spacing=0.1 --set scene.max_steps=2 --out "$work/ring"
+clean 0 run $scenes/pulling-column-compatible.toml --set body.spacing=0.3333333333333333 --set scene.max_steps=2 --out "$work/compatible"
+clean 1 run $scenes/free_plate.toml --set method.cfl=4 --set 'scene.end_time=1' --out "$work/unstable"
+for scene in $scenes/{bending-column,drilled-block,spinning-ring,oscillating-plate}.toml; do clean 0 explain "$scene" --json "$work/explain.json"; done
+clean 2 explain "$scenes/none.toml"
+clean 0 refusals verification/bad_inputs.toml
+clean 0 oned study --field sin:3 --n 20,40,80,160 --estimator standard,improved
+clean 0 spectrum $scenes/free_plate.toml --set body.particles='[5, 5]'
+clean 0 list
+[ "$seen" -ge 15 ] || { echo "ran $seen programs only"; exit 1; }
+[ $bad = 0 ] && echo "$seen runs: no error, no lost block"
+exit $bad
