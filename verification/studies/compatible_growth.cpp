@@ -36,6 +36,7 @@ CompatibleReport project_cube(Index n, double volume_weight,
   BondOptions<3> options;
   options.kernel = kernel_named<3>("cubic");
   options.smoothing_length = 0.9 * cloud.spacing;
+  options.pair = Pair::W1;
   options.estimator = estimator_named<3>("improved");
   options.momentum = momentum_form_named<3>("adjoint");
   double start = cpu_now();
