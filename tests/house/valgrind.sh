@@ -3,10 +3,10 @@
 # its checkpoint, explain, the table of bad inputs, studies. Some minutes of one core. PLUMB is a binary without AVX-512, which valgrind
 # 3.19 does not know: cmake --preset package && cmake --build --preset package --target plumb. Exit code 1 on an error or a lost block.
 set -uo pipefail
+# Possibly lost are the stacks of OpenMP's threads, which live to the end of the program (CHOLMOD starts four, whatever is asked for).
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 plumb=$(realpath "${1:-build/package/bin/plumb}") || exit 1
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
-suppressions=$PWD/tests/house/valgrind.supp
 export OMP_NUM_THREADS=1
 bad=0 seen=0
 
@@ -14,7 +14,7 @@ bad=0 seen=0
 clean() {
   local code=$1
   shift
-  valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect --suppressions="$suppressions" \
+  valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect --show-leak-kinds=definite,indirect \
     --log-file="$work/valgrind.txt" "$plumb" "$@" >"$work/out.txt" 2>&1
   local ended=$?
   seen=$((seen + 1))
@@ -27,8 +27,8 @@ clean() {
 
 scenes=verification/scenes
 all_of_it=(--set output.vtk=true --set output.series=true --set output.budget=true --set 'output.every=1e-4' --set 'output.checkpoint=1e-4')
-clean 0 run $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --set scene.max_steps=3 "${all_of_it[@]}" --out "$work/column"
-clean 0 run $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --set scene.max_steps=3 "${all_of_it[@]}" --out "$work/column" --resume
+clean 0 run $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --set scene.max_steps=3 "${all_of_it[@]}" --set output.budget=false --out "$work/column"
+clean 0 run $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --set scene.max_steps=3 "${all_of_it[@]}" --set output.budget=false --out "$work/column" --resume
 clean 0 run $scenes/swinging-plate.toml --set scene.max_steps=3 "${all_of_it[@]}" --csv "$work/state.csv" --json "$work/plate.json" --out "$work/plate"
 clean 0 run $scenes/spinning-plate-projection.toml --set body.particles='[12, 12]' --set scene.max_steps=3 --out "$work/projection"
 clean 0 run $scenes/spinning-ring.toml --set body.spacing=0.1 --set scene.max_steps=2 --out "$work/ring"
