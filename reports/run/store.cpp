@@ -97,7 +97,8 @@ JobResult Store::get(const Job& job) const {
 }
 
 JobResult Store::compute(const Job& job, JobResult result) const {
-  const fs::path work = result.folder.string() + ".part";
+  // of its own, because another job may make the same call at the same time
+  const fs::path work = result.folder.string() + "." + job.id + ".part";
   fs::remove_all(work);
   fs::create_directories(work);
   std::vector<std::string> arguments;
@@ -118,6 +119,10 @@ JobResult Store::compute(const Job& job, JobResult result) const {
                                               {"exit_code", ended.exit_code},
                                               {"wall_s", ended.wall_s},
                                               {"cpu_s", ended.cpu_s}}));
+  if (has_result(result.folder)) {  // that of the other one, whole and perhaps being read
+    fs::remove_all(work);
+    return result;
+  }
   fs::remove_all(result.folder);
   fs::rename(work, result.folder);
   return result;
