@@ -105,7 +105,8 @@ inline RoughBlock<d> answer(const BondSmoother<d>& s, const RoughMultipliers<d>&
 
 template <int d>
 void smooth(const BondSmoother<d>& s, int sweeps, BondWork<d>& work) {
-  auto& [r, x, z, next] = work;
+  // no structured binding: clang 14 lets none into a parallel loop
+  auto &r = work.r, &x = work.x, &z = work.z, &next = work.next;
   const auto first = chebyshev(1, smoothing_bound);
 #pragma omp parallel for schedule(static)
   for (Index p = 0; p < s.places(); ++p)

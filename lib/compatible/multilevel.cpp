@@ -11,8 +11,10 @@ namespace {
 /// Smoothing steps on the bonds, the finest grid and the coarser ones: the fastest of the few combinations
 /// that were tried at 1e4 particles.
 constexpr int bond_sweeps = 8, spline_sweeps = 2, coarse_sweeps = 6;
-/// The eigenvalues of a matrix of this size take a second.
-constexpr Index most_coarsest_rows = 700;
+/// The coarsest level is solved densely, with `few_rows` within a second, with `most_rows` within a quarter
+/// of a minute. It alone sees the changes of volumes, and where it is too wide for that iterations double:
+/// large clouds, which can afford it, get more rows (measured, THEORY chapter 11).
+constexpr Index few_rows = 700, most_rows = 1500, particles_per_row = 500;
 
 /// x += approximately matrix^-1 r; r becomes what is left of it.
 template <int d>
@@ -66,7 +68,8 @@ Multilevel<d> multilevel(const BondOperator<d>& N) {
   all.smoother = bond_smoother<d>(N);
   SplineMatrix<d> matrix = spline_matrix<d>(N, grid, all.by_cell);
   all.levels.push_back(spline_smoother(matrix));
-  while (matrix.rows() > most_coarsest_rows) {
+  const Index enough = std::clamp(N.particles() / particles_per_row, few_rows, most_rows);
+  while (matrix.rows() > enough) {
     matrix = coarser(matrix);
     all.levels.push_back(spline_smoother(matrix));
   }

@@ -1,0 +1,46 @@
+#!/bin/bash
+# tidy.sh [FOLDER|FILE..]: clang-tidy (.clang-tidy) over everything that is compiled, or over that. From the root folder, after a build of the
+# release preset. Most of its time goes into the headers of libraries, so sources of one folder are read ten at a time as one unit; those whose
+# names clash are read in halves, down to single ones. An hour of one core for all. Exit code 1 on a finding, or if it looked at nothing.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+root=$PWD
+[ $# -gt 0 ] || set -- lib mms oned reports verification tests
+mapfile -t sources < <(git ls-files -- "$@" | grep '\.cpp$' | grep -v -e '^tests/consumer/' -e '^tests/fuzz/fuzz_')
+[ ${#sources[@]} -gt 0 ] || { echo "no sources in $*"; exit 1; }
+work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
+flags=(-std=c++20 -fopenmp -march=native -DFMT_SHARED -I "$root" -I "$root/verification" -I "$root/tests"
+  -I "$root/build/release/include" -I "$root/build/release/generated" -I "$root/build/release/verification"
+  -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse -isystem /usr/include/hdf5/serial)
+bad=0 seen=0
+
+# look FILE..: one unit; a unit that does not compile is split, a single file that does not is a finding
+look() {
+  local unit=$work/unit_$RANDOM$RANDOM.cpp file half
+  for file in "$@"; do echo "#include \"$root/$file\""; done >"$unit"
+  nice -n 10 clang-tidy --quiet --config-file=.clang-tidy --checks=-bugprone-suspicious-include --header-filter="^$root/.*" "$unit" -- "${flags[@]}" >"$unit.txt" 2>/dev/null
+  if grep -q '\[clang-diagnostic-error\]' "$unit.txt" && [ $# -gt 1 ]; then
+    half=$(($# / 2))
+    look "${@:1:half}"
+    look "${@:half+1}"
+    return
+  fi
+  seen=$((seen + $#))
+  if grep -q 'error:\|warning:' "$unit.txt"; then
+    bad=1
+    cat "$unit.txt"
+  fi
+}
+
+folder='' batch=()
+for file in "${sources[@]}" /end; do
+  if [ ${#batch[@]} -gt 0 ] && { [ "$(dirname "$file")" != "$folder" ] || [ ${#batch[@]} -ge 10 ]; }; then
+    look "${batch[@]}"
+    batch=()
+  fi
+  folder=$(dirname "$file")
+  batch+=("$file")
+done
+[ "$seen" -eq ${#sources[@]} ] || { echo "looked at $seen of ${#sources[@]} sources"; exit 1; }
+[ $bad = 0 ] && echo "$seen sources: no finding"
+exit $bad
