@@ -1,38 +1,17 @@
 #include "plumbline/compatible/spline_matrix.hpp"
 
-#include <cmath>
+#include "plumbline/compatible/spline_rows.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr int power(int base, int exponent) {
-  return exponent == 0 ? 1 : base * power(base, exponent - 1);
-}
-constexpr int width = 2 * spline_reach + 1;  ///< of a row along an axis
-
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Numbers of rows by place; -1 where there is none.
-template <int d>
-std::vector<std::int32_t> rows_by_place(const SplineMatrix<d>& matrix) {
-  std::vector<std::int32_t> row(matrix.grid.places, -1);
-  for (Index r = 0; r < matrix.rows(); ++r) row[matrix.places[r]] = static_cast<std::int32_t>(r);
-  return row;
-}
-
-/// Rows for the marked places, entries zero.
-template <int d>
-void make_rows(SplineMatrix<d>& matrix, const std::vector<char>& used) {
-  for (Index p = 0; p < matrix.grid.places; ++p)
-    if (used[p]) matrix.places.push_back(p);
-  matrix.entries.assign(matrix.places.size() * row_size<d>, 0.0);
-}
 
 /// The 4^d splines around a point, and their derivatives: rows of the prolongation.
 template <int d>
-Eigen::Matrix<double, d + 1, power(4, d), Eigen::RowMajor> local_prolongation(const SplineValues<d>& s) {
-  Eigen::Matrix<double, d + 1, power(4, d), Eigen::RowMajor> P;
-  for (int m = 0; m < power(4, d); ++m)
+Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> local_prolongation(const SplineValues<d>& s) {
+  Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> P;
+  for (int m = 0; m < int_power(4, d); ++m)
     for (int row = 0; row <= d; ++row) {
       double product = 1;
       for (int k = 0, rest = m; k < d; ++k, rest /= 4)
@@ -48,7 +27,7 @@ template <int d>
 void add_response(const BondOperator<d>& N, const SplineGrid<d>& grid, Index i, const SplineValues<d>& s,
                   const auto& own, Eigen::Ref<RowMajor> response) {
   using Row = Eigen::Matrix<double, 1, d + 1>;
-  constexpr int splines = power(4, d);
+  constexpr int splines = int_power(4, d);
   Eigen::Matrix<double, d + 1, d + 1> diagonal = Eigen::Matrix<double, d + 1, d + 1>::Zero();
   const auto add = [&](int first, const auto& rows) {
     for (int line = 0; line < splines / 4; ++line) {
@@ -76,42 +55,12 @@ void add_response(const BondOperator<d>& N, const SplineGrid<d>& grid, Index i, 
   add(centre, (diagonal * own).eval());
 }
 
-template <int d>
-void finish(SplineMatrix<d>& matrix) {
-  matrix.inverse_diagonal.resize(matrix.rows());
-  for (Index r = 0; r < matrix.rows(); ++r) {
-    const double own = matrix.row(r)[row_size<d> / 2];
-    matrix.inverse_diagonal[r] = own > 0 ? 1 / own : 0;
-  }
-  Coefficients<d> x(matrix.grid.places, Coefficient<d>::Zero()), y = x;
-  std::uint64_t seed = 1;
-  for (const Index p : matrix.places) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    x[p][0] = static_cast<double>(seed >> 11) * 0x1p-53 - 0.5;
-  }
-  for (int round = 0; round < 12; ++round) {
-    apply(matrix, x, y);
-    double xx = 0, xy = 0;
-    for (Index r = 0; r < matrix.rows(); ++r) {
-      const Index p = matrix.places[r];
-      if (matrix.inverse_diagonal[r] == 0) continue;
-      xx += x[p][0] * x[p][0] / matrix.inverse_diagonal[r];
-      xy += x[p][0] * y[p][0];
-    }
-    matrix.largest = xy / xx;
-    const double scale = 1 / std::sqrt(xx);
-    for (Index r = 0; r < matrix.rows(); ++r)
-      x[matrix.places[r]] = scale * matrix.inverse_diagonal[r] * y[matrix.places[r]];
-  }
-  matrix.largest *= 1.1;  // power iterations approach it from below
-}
-
 }  // namespace
 
 template <int d>
 SplineMatrix<d> spline_matrix(const BondOperator<d>& N, const SplineGrid<d>& grid,
                               const ParticlesByCell<d>& by_cell) {
-  constexpr int splines = power(4, d), window = power(6, d);
+  constexpr int splines = int_power(4, d), window = int_power(6, d);
   SplineMatrix<d> matrix;
   matrix.grid = grid;
   std::vector<char> used(grid.places, 0);
@@ -149,7 +98,7 @@ SplineMatrix<d> spline_matrix(const BondOperator<d>& N, const SplineGrid<d>& gri
           double* row = matrix.row(row_of[place_in_cell(s, m)]);
           for (int c = 0; c < window; ++c) {
             int offset = 0;
-            for (int k = 0, a = m, b = c, step = 1; k < d; ++k, a /= 4, b /= 6, step *= width)
+            for (int k = 0, a = m, b = c, step = 1; k < d; ++k, a /= 4, b /= 6, step *= row_width)
               offset += (b % 6 - 1 - a % 4 + spline_reach) * step;
             row[offset] += product(m, c);
           }
@@ -161,121 +110,9 @@ SplineMatrix<d> spline_matrix(const BondOperator<d>& N, const SplineGrid<d>& gri
   return matrix;
 }
 
-namespace {
-
-/// Along one axis: what a fine spline k of a column passes to coarse splines, 1/8 (1 4 6 4 1).
-constexpr std::array<double, 5> two_scale = {0.125, 0.5, 0.75, 0.5, 0.125};
-
-Index half_down(Index n) {
-  return n >= 0 ? n / 2 : -((1 - n) / 2);
-}
-Index half_up(Index n) {
-  return -half_down(-n);
-}
-
-/// Replaces the axis `axis` of a row, whose columns are k - spline_reach .. k + spline_reach, by coarse
-/// columns; the coarse offset is counted from `base`. Sizes of axes before and after are products of what
-/// they have now.
-void coarsen_axis(const std::vector<double>& from, std::vector<double>& to, Index before, Index after,
-                  Index k, Index base) {
-  to.assign(before * width * after, 0.0);
-  for (Index o = 0; o < width; ++o) {
-    const Index column = k + o - spline_reach;
-    for (Index K = half_up(column - 1); K <= half_down(column + 3); ++K) {
-      const double weight = two_scale[column - 2 * K + 3];
-      const Index O = K - base + spline_reach;
-      if (O < 0 || O >= width) continue;
-      for (Index a = 0; a < after; ++a)
-        for (Index b = 0; b < before; ++b)
-          to[(a * width + O) * before + b] += weight * from[(a * width + o) * before + b];
-    }
-  }
-}
-
-}  // namespace
-
-template <int d>
-SplineMatrix<d> coarser(const SplineMatrix<d>& fine) {
-  SplineMatrix<d> matrix;
-  matrix.grid = coarser(fine.grid);
-  // coarse splines to which fine spline k belongs
-  const auto each_parent = [](const std::array<Index, d>& k, auto&& action) {
-    std::array<Index, d> K;
-    for (int n = 0; n < power(3, d); ++n) {
-      double weight = 1;
-      bool is = true;
-      for (int a = 0, rest = n; a < d; ++a, rest /= 3) {
-        K[a] = half_up(k[a] - 1) + rest % 3;
-        const Index m = k[a] - 2 * K[a] + 3;
-        is = is && m >= 0;
-        if (is) weight *= two_scale[m];
-      }
-      if (is) action(K, weight);
-    }
-  };
-  std::vector<char> used(matrix.grid.places, 0);
-  for (const Index place : fine.places)
-    each_parent(fine.grid.spline(place), [&](const auto& K, double) { used[matrix.grid.place(K)] = 1; });
-  make_rows(matrix, used);
-  const auto row_of = rows_by_place(matrix);
-  std::vector<double> now, next;
-  for (Index r = 0; r < fine.rows(); ++r) {
-    const auto k = fine.grid.spline(fine.places[r]);
-    // columns for a parent K reach from K - 4 to K + 4; for base B = first parent, parents B .. B + 2
-    std::array<Index, d> base;
-    now.assign(fine.row(r), fine.row(r) + row_size<d>);
-    Index before = 1, after = row_size<d> / width;
-    for (int a = 0; a < d; ++a) {
-      base[a] = half_up(k[a] - 5) + spline_reach;  // the first coarse column is base - spline_reach
-      coarsen_axis(now, next, before, after, k[a], base[a]);
-      std::swap(now, next);
-      before *= width;
-      after /= width;
-    }
-    each_parent(k, [&](const auto& K, double weight) {
-      double* row = matrix.row(row_of[matrix.grid.place(K)]);
-      for (int n = 0; n < row_size<d> / width; ++n) {
-        Index to = 0, from = 0, step = width;
-        bool is = true;
-        for (int a = 1, rest = n; a < d; ++a, rest /= width, step *= width) {
-          const Index shifted = rest % width + base[a] - K[a];  // offset of this column in K's row
-          is = is && shifted >= 0 && shifted < width;
-          to += shifted * step;
-          from += rest % width * step;
-        }
-        if (!is) continue;
-        for (Index o = 0; o < width; ++o) {
-          const Index shifted = o + base[0] - K[0];
-          if (shifted >= 0 && shifted < width) row[to + shifted] += weight * now[from + o];
-        }
-      }
-    });
-  }
-  finish(matrix);
-  return matrix;
-}
-
-template <int d>
-void apply(const SplineMatrix<d>& matrix, const Coefficients<d>& x, Coefficients<d>& result) {
-  constexpr int lines = row_size<d> / width;
-  const auto offset = line_offsets<d>(matrix.grid);
-#pragma omp parallel for schedule(static)
-  for (Index r = 0; r < matrix.rows(); ++r) {
-    const double* row = matrix.row(r);
-    Coefficient<d> even = Coefficient<d>::Zero(), odd = even;
-    for (int n = 0; n < lines; ++n, row += width) {
-      const Coefficient<d>* c = x.data() + matrix.places[r] + offset[n];
-      for (int o = 0; o < width; ++o) (o % 2 ? odd : even) += row[o] * c[o];
-    }
-    result[matrix.places[r]] = even + odd;
-  }
-}
-
 #define PLUMB_INSTANTIATE(d)                                                              \
   template SplineMatrix<d> spline_matrix<d>(const BondOperator<d>&, const SplineGrid<d>&, \
-                                            const ParticlesByCell<d>&);                   \
-  template SplineMatrix<d> coarser<d>(const SplineMatrix<d>&);                            \
-  template void apply<d>(const SplineMatrix<d>&, const Coefficients<d>&, Coefficients<d>&);
+                                            const ParticlesByCell<d>&);
 PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)

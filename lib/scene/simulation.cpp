@@ -11,6 +11,7 @@
 #include "plumbline/geometry/clipped_cells.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
 #include "plumbline/projection/angular_momentum.hpp"
+#include "plumbline/scene/supports_of_scene.hpp"
 #include "plumbline/scene/warnings.hpp"
 
 namespace plumb {
@@ -22,76 +23,6 @@ constexpr double closed_energy_bound = 1.0;
 /// Extent of the stability region on the negative real axis: of SSP-RK3, and of a kick with the velocity
 /// before it.
 constexpr double rk3_damping_limit = 2.51, verlet_damping_limit = 2.0;
-
-std::array<double, 3> in_space(const auto& X) {
-  std::array<double, 3> point{0, 0, 0};
-  for (int k = 0; k < X.size(); ++k) point[k] = X[k];
-  return point;
-}
-
-template <int d>
-Vec<d> evaluate_at(const std::vector<Expression>& expressions, const Vec<d>& X) {
-  Vec<d> value;
-  for (int k = 0; k < d; ++k) value[k] = expressions[k].at(in_space(X));
-  return value;
-}
-
-template <int d>
-std::vector<Index> supported_particles(const Cloud<d>& cloud, const Boundary& boundary, Layout layout) {
-  if (boundary.face) {
-    auto found = particles_on_face(cloud, boundary.face->axis, boundary.face->side > 0, layout);
-    if (found.empty())
-      throw InputError("no particle lies on a face that a boundary names",
-                       "it is a face of the box around the body", "use where = \"..\"");
-    return found;
-  }
-  auto found =
-      particles_where<d>(cloud, [&](const Vec<d>& X) { return boundary.where->holds_at(in_space(X)); });
-  if (found.empty())
-    throw InputError(fmt::format("boundary where = \"{}\" holds at no particle", boundary.where->text()),
-                     "nothing would be held", "widen the condition");
-  return found;
-}
-
-template <int d>
-std::vector<Support<d>> make_supports(const Cloud<d>& cloud, const Scene& scene) {
-  std::vector<Support<d>> supports;
-  for (const auto& boundary : scene.boundaries)
-    for (const Index i : supported_particles<d>(cloud, boundary, scene.body.layout)) {
-      if (boundary.kind == BoundaryKind::roller) {
-        if (scene.body.layout == Layout::mirror) continue;  // images hold it
-        supports.push_back({i, boundary.face->axis, 0});
-        continue;
-      }
-      Vec<d> velocity = Vec<d>::Zero();
-      if (boundary.kind == BoundaryKind::velocity) velocity = evaluate_at<d>(boundary.velocity, cloud.X[i]);
-      for (int k = 0; k < d; ++k) supports.push_back({i, k, velocity[k]});
-    }
-  supports.shrink_to_fit();
-  return supports;
-}
-
-/// Two boundaries may meet in a particle if they say the same of each component.
-template <int d>
-void refuse_contradictions(const Cloud<d>& cloud, std::vector<Support<d>> supports) {
-  std::stable_sort(supports.begin(), supports.end(), [](const auto& a, const auto& b) {
-    return a.particle != b.particle ? a.particle < b.particle : a.component < b.component;
-  });
-  for (std::size_t n = 1; n < supports.size(); ++n) {
-    const auto &a = supports[n - 1], &b = supports[n];
-    const double apart = std::abs(a.velocity - b.velocity);
-    // 1e-9: the same velocity from two formulas
-    if (a.particle != b.particle || a.component != b.component ||
-        apart <= 1e-9 * std::max(std::abs(a.velocity), std::abs(b.velocity)))
-      continue;
-    std::string place;
-    for (int k = 0; k < d; ++k) place += fmt::format("{}{:.6g}", k ? ", " : "", cloud.X[a.particle][k]);
-    throw InputError(
-        fmt::format("boundaries contradict each other at particle {} at ({})", a.particle, place),
-        fmt::format("its {} velocity is to be {:g} and {:g} m/s", "xyz"[a.component], a.velocity, b.velocity),
-        "let only one of them hold there");
-  }
-}
 
 /// A step that rounding swallows would never end.
 void require_progress(double dt, const Scene& scene) {
@@ -264,7 +195,7 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
     warnings.push_back(large_change_text<d>(simulation.compatible->largest_change));
   simulation.state = make_state(simulation.solid);
   simulation.control = step_control(scene);
-  simulation.supports = make_supports<d>(simulation.solid.cloud, scene);
+  simulation.supports = supports_of_scene<d>(simulation.solid.cloud, scene);
   set_initial_velocity(simulation.solid, scene, simulation.state);
   impose(simulation.solid, simulation.supports, simulation.state);
   if (scene.jst) add_jst(simulation, scene);
