@@ -3,17 +3,30 @@
 #include <malloc.h>
 #include <omp.h>
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#include <sanitizer/allocator_interface.h>
+#define PLUMB_SANITIZED
+#endif
+#endif
+
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
 namespace {
 
-/// Bytes that are allocated at this moment [bytes].
+/// Bytes that are allocated at this moment [bytes]. Sanitizers have an allocator of their own.
+#ifdef PLUMB_SANITIZED
+std::size_t allocated() {
+  return __sanitizer_get_current_allocated_bytes();
+}
+#else
 std::size_t allocated() {
   const auto info = mallinfo2();
   return info.uordblks + info.hblkhd;
 }
+#endif
 
 struct Wanted {
   std::string name;
