@@ -59,13 +59,13 @@ std::vector<Problem> problems(bool long_run) {
                                {"expect.l2=2", "expect.reason=as inside"},
                                two,
                                {"0", "1", "2"}},
-                              {"clipped",
-                               "vortex, clipped ring, β = 1.2",
+                              {"vortex",
+                               "vortex, A = 0.1 rad, particles on the circles (lattice: rings)",
                                "mms",
                                folder + "generalized_vortex.toml",
-                               {rings, "body.layout=cell", "method.beta=1.2"},
+                               {rings, "study.parameters.amplitude=0.1"},
                                two,
-                               {}},
+                               {"0", "2", "blue"}},
                               {"cube",
                                "trigonometric cube",
                                "mms",
@@ -77,13 +77,20 @@ std::vector<Problem> problems(bool long_run) {
   for (auto& problem : all)
     if (problem.id != "static-49995") problem.clouds = everywhere;
   all[0].set = {"study.spacings=[0.2,0.1,0.05,0.025,0.0125]"};
-  all.push_back({"rings",
-                 "vortex, particles on the circles (lattice: rings)",
+  all.push_back({"clipped",
+                 "vortex, A = 0.5 rad, clipped ring, β = 1.2",
                  "mms",
                  folder + "generalized_vortex.toml",
-                 {},
+                 {rings, "body.layout=cell", "method.beta=1.2"},
                  everywhere,
-                 {"0"}});
+                 {}});
+  all.push_back({"rings",
+                 "vortex, A = 0.5 rad, hourglass energy 2, particles on the circles (lattice: rings)",
+                 "mms",
+                 folder + "generalized_vortex.toml",
+                 {rings, "hourglass.alpha=2"},
+                 everywhere,
+                 {"0", "2", "blue"}});
   all.push_back({"linear",
                  "swinging plate, linear, ν = 0.495",
                  "mms",

@@ -178,9 +178,13 @@ Section write(const Results& results, const std::vector<Problem>& all) {
       "A check demands order 2 of compatible bonds where it is claimed, and of the others, on the same "
       "irregular "
       "particles, that they do not have it.",
-      "On clipped rings the circles are free, cut Voronoi cells touch them, and facets are extrapolated from "
-      "the "
-      "particles nearby (lib/THEORY.md, chapter 11)."};
+      "Vortices have free circles. Where particles lie on them (layout node) order 2 is claimed; at an "
+      "amplitude of "
+      "0.5 rad irregular particles need the hourglass energy, THEORY (12.1). On clipped rings (long report) "
+      "no "
+      "particle lies on the circles, facets are extrapolated from the particles nearby, and nothing is "
+      "claimed "
+      "(lib/THEORY.md, chapter 11)."};
   return s;
 }
 
