@@ -20,6 +20,7 @@ struct Problem {
   std::vector<std::string> set;
   std::vector<std::string> clouds;        ///< ids of the clouds on which it is solved
   std::vector<std::string> second_order;  ///< ids of those on which compatible bonds are said to have order 2
+  std::vector<std::string> long_clouds = {};  ///< instead of `clouds` in a long run; empty: the same
 };
 
 /// Finer levels, more clouds and more solutions in a long run.

@@ -125,11 +125,12 @@ TEST_CASE("compatible: column under traction and cube on irregular clouds", "[co
   for (const char* seed : {"1", "2", "3"})
     expect_order_2(order_of("stretched_column.toml", std::string("column, jitter 0.2, seed ") + seed,
                             compatible + jitter("0.2") + declared + Set{std::string("body.seed=") + seed}));
-  for (const auto& [name, cloud] :
-       {std::pair{"lattice", jitter("0")}, std::pair{"jitter 0.2", jitter("0.2")}})
-    expect_order_2(order_of(
-        "trigonometric_cube.toml", std::string("cube, ") + name,
-        compatible + cloud + Set{"study.spacings=[0.25,0.166666666666667,0.125,0.0833333333333333]"}));
+  // coarser levels are not asymptotic: from 1/4 to 1/12 seeds 2 and 3 have orders 2.15 and 2.20
+  for (const char* seed : {"1", "2", "3"})
+    expect_order_2(order_of("trigonometric_cube.toml", std::string("cube, jitter 0.2, seed ") + seed,
+                            compatible + jitter("0.2") +
+                                Set{"study.spacings=[0.125,0.0833333333333333,0.0625,0.0416666666666667]",
+                                    std::string("body.seed=") + seed}));
   expect_no_order_2(
       order_of("stretched_column.toml", "column, jitter 0.2, adjoint", adjoint + jitter("0.2") + declared));
 }
