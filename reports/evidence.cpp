@@ -84,7 +84,7 @@ std::vector<Problem> problems(bool long_run) {
        folder + "trigonometric_cube.toml",
        {"study.spacings=[0.125,0.0833333333333333,0.0625,0.0416666666666667]"},
        {"2"},
-       {"2"},
+       {"1", "2", "3", "blue"},
        {"1", "2", "3", "blue"}}};
   if (!long_run) return all;
   for (auto& problem : all)
