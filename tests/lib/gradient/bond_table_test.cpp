@@ -41,5 +41,36 @@ TEST(BondTable, OfALatticeHasAsManyRowsAsKindsOfPlaces) {
   }
 }
 
+/// V_i c_ij = -V_j c_ji to round-off, but for the first bond, which is off by `wrong` of the largest one.
+BondTable<2> skew_table(double wrong) {
+  Cloud<2> cloud = block<2>(8, Layout::node, 0.2);
+  BondOptions<2> o = options<2>({}, cloud.spacing);
+  o.project = [wrong](Cloud<2>& c, const Neighbours&, std::vector<std::vector<BondConstants<2>>>& bonds) {
+    double most = 0;
+    for (Index i = 0; i < c.size(); ++i)
+      for (auto& ij : bonds[i])
+        for (auto& ji : bonds[ij.other]) {
+          if (ji.other != i || ij.other < i) continue;
+          const Vec<2> A = c.V[i] * ij.stencil - c.V[ij.other] * ji.stencil;
+          ij.stencil = A / (2 * c.V[i]);
+          ji.stencil = -A / (2 * c.V[ij.other]);
+          most = std::max({most, ij.stencil.cwiseAbs().maxCoeff(), ji.stencil.cwiseAbs().maxCoeff()});
+        }
+    bonds[0][0].stencil[0] += wrong * most;
+  };
+  return make_bond_table<2>(cloud, o);
+}
+
+// F and the force may share their vectors only where they are the same numbers: a difference beyond rounding
+// makes a force that is not the derivative of the energy.
+TEST(BondTable, SharesVectorsWhereTheyAreTheSameAndNowhereElse) {
+  EXPECT_TRUE(skew_table(0).force.empty());
+  for (const double wrong : {1e-12, 1e-3, -1.0}) {
+    const BondTable<2> table = skew_table(wrong);
+    ASSERT_EQ(table.force.size(), table.stencil.size()) << wrong;
+    EXPECT_EQ(&table.force_weights(), &table.force);
+  }
+}
+
 }  // namespace
 }  // namespace plumb::testing
