@@ -36,7 +36,7 @@ TEST(BondTable, OfALatticeHasAsManyRowsAsKindsOfPlaces) {
     const Index small = table_of(block<3>(21, layout, 0), 1).rows();
     const BondTable<3> large = table_of(block<3>(37, layout, 0), 1);  // the last packs of lines are alike
     EXPECT_EQ(large.rows(), small);
-    EXPECT_LT(large.rows(), 200);
+    EXPECT_LE(large.rows(), 7 * 7 * 7);  // along each axis three layers at each end and the rest
     EXPECT_GT(large.slots.packs(), 4000);
   }
 }
