@@ -36,7 +36,7 @@ struct Simplex {
     if constexpr (d == 2) {
       area = Vec<d>(p[1][1] - p[0][1], p[0][0] - p[1][0]);
     } else {
-      const Vec<d> a = p[1] - p[0], b = p[2] - p[0];
+      const Vec<d> a = p[1] - p[0], b = p[2] - p[0];  // cppcheck-suppress containerOutOfBounds
       area = 0.5 * Vec<d>(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
     }
     return area.dot(corner[opposite] - p[0]) > 0 ? Vec<d>(-area) : area;

@@ -30,7 +30,7 @@ inline constexpr Index blocks_for_threads = 16;
 template <int d>
 class BlockForce {
  public:
-  explicit BlockForce(const Block& block) : first_(block.begin()) {}
+  explicit BlockForce(const Block& block) : first_(block.begin()) {}  // cppcheck-suppress uninitMemberVar
   double* at(int component, Index slot) { return &values_[component][slot - first_]; }
   double& operator()(int component, Index slot) { return values_[component][slot - first_]; }
 

@@ -96,7 +96,7 @@ double line_fraction(const Prepared& p, const Series& series, double x) {
   for (std::size_t k = 0; k < series.x.size(); ++k)
     points.emplace_back(p.x.fraction(series.x[k]), p.y.fraction(series.y[k]));
   std::sort(points.begin(), points.end());
-  // a series without points was refused before: cppcheck-suppress containerOutOfBounds
+  // cppcheck-suppress containerOutOfBounds ; a series without points was refused before
   if (x <= points.front().first) return points.front().second;
   for (std::size_t k = 1; k < points.size(); ++k) {
     const auto& [x0, y0] = points[k - 1];

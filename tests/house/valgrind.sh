@@ -34,7 +34,11 @@ clean 0 run $scenes/spinning-plate-projection.toml --set body.particles='[12, 12
 clean 0 run $scenes/spinning-ring.toml --set body.spacing=0.1 --set scene.max_steps=2 --out "$work/ring"
 clean 0 run $scenes/pulling-column-compatible.toml --set body.spacing=0.3333333333333333 --set scene.max_steps=2 --out "$work/compatible"
 clean 1 run $scenes/free_plate.toml --set method.cfl=4 --set 'scene.end_time=1' --out "$work/unstable"
-for scene in $scenes/{bending-column,drilled-block,spinning-ring,oscillating-plate}.toml; do clean 0 explain "$scene" --json "$work/explain.json"; done
+# Coarser than written where explain would take minutes here: 0.7 CPU-s instead of 5.5 outside valgrind, 0.4 instead of 1.7.
+clean 0 explain $scenes/drilled-block.toml --set body.spacing=0.25 --json "$work/explain.json"
+clean 0 explain $scenes/spinning-ring.toml --set body.spacing=0.1 --json "$work/explain.json"
+clean 0 explain $scenes/bending-column.toml --set body.particles='[3, 3, 18]' --json "$work/explain.json"
+clean 0 explain $scenes/oscillating-plate.toml --json "$work/explain.json"
 clean 2 explain "$scenes/none.toml"
 clean 0 refusals verification/bad_inputs.toml
 clean 0 oned study --field sin:3 --n 20,40,80,160 --estimator standard,improved
