@@ -33,12 +33,6 @@ std::string short_number(const Entry& entry) {
   return value ? fmt::format("{:.2f}", *value) : "?";
 }
 
-const Json& fit_of(const Json& result, const std::string& norm) {
-  for (const auto& fit : result.at("fits"))
-    if (text(fit, "norm") == norm) return fit;
-  throw MissingResult("a study has no fit of " + norm);
-}
-
 /// What the levels say about failed runs; empty if all completed.
 std::string failures(const Json& result) {
   std::string out;
@@ -49,6 +43,12 @@ std::string failures(const Json& result) {
 }
 
 }  // namespace
+
+const Json& fit_of(const Json& result, const std::string& norm) {
+  for (const auto& fit : result.at("fits"))
+    if (text(fit, "norm") == norm) return fit;
+  throw MissingResult("a study has no fit of " + norm);
+}
 
 Check study_check(std::string what, const Json& result, const std::string& norm) {
   const Json& fit = fit_of(result, norm);

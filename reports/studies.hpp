@@ -11,6 +11,9 @@ namespace plumb::reports {
 /// trend in words where the study declares none. A level that failed is named.
 Check study_check(std::string what, const nlohmann::ordered_json& result, const std::string& norm);
 
+/// What a study found in one norm. Throws MissingResult if it did not measure it.
+const nlohmann::ordered_json& fit_of(const nlohmann::ordered_json& result, const std::string& norm);
+
 /// One refinement study of a section: a file of verification/studies with overrides.
 struct Refinement {
   std::string id, name, file;

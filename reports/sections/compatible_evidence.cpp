@@ -61,12 +61,6 @@ Entry entry_of(const Json& value) {
   return value.is_number() ? Entry(value.get<double>()) : Entry("-");
 }
 
-const Json& fit_of(const Json& result, const char* norm) {
-  for (const auto& fit : result.at("fits"))
-    if (fit.at("norm") == norm) return fit;
-  throw MissingResult(std::string("a study has no fit of ") + norm);
-}
-
 /// A number that has different names in dynamic and in static studies.
 const Json& either(const Json& level, const char* name, const char* other) {
   return level.contains(name) ? level.at(name) : level.at(other);
@@ -117,15 +111,15 @@ std::vector<Entry> refused_entries(const Row& row, const std::string& failure) {
   return entries;
 }
 
-/// Order 1 or better, up to what the verdicts resolve (lib/convergence/README.md).
+/// Order 1 or better, up to what the verdicts resolve (lib/convergence/README.md); fails where none is fitted.
 Check gradient_check(const Row& row, const Json& result) {
   constexpr double resolution = 0.1;
-  const Json& fit = fit_of(result, "h1");
-  const double order = number(fit, "order");
-  return {row.name() + ", H₁", fmt::format("order 1 or better, to {:g}", resolution),
-          fmt::format("{:.2f}, 95 % interval [{:.2f}, {:.2f}]", order, fit.at("ci95").at(0).get<double>(),
-                      fit.at("ci95").at(1).get<double>()),
-          pass_if(order >= 1 - resolution), row.id()};
+  Check check = study_check(row.name() + ", H₁", result, "h1");
+  const Json& order = fit_of(result, "h1").at("order");
+  check.expected = fmt::format("order 1 or better, to {:g}", resolution);
+  check.verdict = pass_if(order.is_number() && order.get<double>() >= 1 - resolution);
+  check.job = row.id();
+  return check;
 }
 
 /// Where compatible bonds are said to have order 2, they must; and the others must not, or there is nothing

@@ -1,6 +1,6 @@
 #!/bin/bash
-# threads.sh: every parallel loop of the library under the thread sanitizer, with four threads. GCC's OpenMP runtime is not instrumented, and its
-# barriers would be taken for races; clang's tells the sanitizer of them by libarcher (Debian: clang, libomp-dev). A quarter of an hour of
+# threads.sh: the parallel loops of the library under the thread sanitizer, with four threads. GCC's OpenMP runtime is not instrumented, and its
+# barriers would be taken for races; clang's tells the sanitizer of them by libarcher (Debian: clang, libomp-dev). Half an hour of
 # one core, most of it for the build of the preset `threads`. Exit code 1 on a race, or if a program was not run.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

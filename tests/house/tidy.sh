@@ -6,6 +6,7 @@ set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 root=$PWD
 [ $# -gt 0 ] || set -- lib mms oned reports verification tests
+command -v clang-tidy >/dev/null || { echo "clang-tidy is missing (Debian: clang-tidy)"; exit 1; }
 mapfile -t sources < <(git ls-files -- "$@" | grep '\.cpp$' | grep -v -e '^tests/consumer/' -e '^tests/fuzz/fuzz_')
 [ ${#sources[@]} -gt 0 ] || { echo "no sources in $*"; exit 1; }
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
@@ -16,9 +17,10 @@ bad=0 seen=0
 
 # look FILE..: one unit; a unit that does not compile is split, a single file that does not is a finding
 look() {
-  local unit=$work/unit_$RANDOM$RANDOM.cpp file half
+  local unit=$work/unit_$RANDOM$RANDOM.cpp file half ended
   for file in "$@"; do echo "#include \"$root/$file\""; done >"$unit"
-  nice -n 10 clang-tidy --quiet --config-file=.clang-tidy --checks=-bugprone-suspicious-include --header-filter="^$root/.*" "$unit" -- "${flags[@]}" >"$unit.txt" 2>/dev/null
+  nice -n 10 clang-tidy --quiet --config-file=.clang-tidy --checks=-bugprone-suspicious-include --header-filter="^$root/.*" "$unit" -- "${flags[@]}" >"$unit.txt" 2>"$unit.err"
+  ended=$?
   if grep -q '\[clang-diagnostic-error\]' "$unit.txt" && [ $# -gt 1 ]; then
     half=$(($# / 2))
     look "${@:1:half}"
@@ -26,9 +28,10 @@ look() {
     return
   fi
   seen=$((seen + $#))
-  if grep -q 'error:\|warning:' "$unit.txt"; then
+  if [ $ended != 0 ] || grep -q 'error:\|warning:' "$unit.txt"; then
     bad=1
-    cat "$unit.txt"
+    echo "clang-tidy ended with $ended: $*"
+    cat "$unit.txt" "$unit.err"
   fi
 }
 

@@ -9,6 +9,7 @@
 #include "mms/static_study.hpp"
 #include "places.hpp"
 #include "plumbline/scene/study.hpp"
+#include "reports/evidence.hpp"
 
 using namespace plumb;
 
@@ -17,15 +18,12 @@ namespace {
 using Set = std::vector<std::string>;
 
 const std::string folder = PLUMBLINE_SOURCE_DIR "/verification/studies/";
-const Set compatible{"method.gradient=compatible", "method.integrator=verlet"},
-    adjoint{"method.gradient=improved", "method.integrator=verlet"},
-    paper{"method.gradient=improved", "method.momentum=symmetrised", "method.integrator=rk3",
-          "jst.eta4=0.125"};
+const Set &compatible = reports::schemes()[0].set, &adjoint = reports::schemes()[1].set,
+          &paper = reports::schemes()[2].set, &blue = reports::cloud_of("blue").set;
 
 Set jitter(const std::string& fraction) {
   return {"body.jitter=" + fraction};
 }
-const Set blue{"body.jitter=0", "body.cloud=blue-noise"};
 
 Set operator+(Set one, const Set& other) {
   one.insert(one.end(), other.begin(), other.end());
