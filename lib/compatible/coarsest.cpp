@@ -36,7 +36,7 @@ MatrixXd quadratics(const SplineMatrix<d>& matrix) {
     int field = 0;
     Q(r, field++) = 1;
     for (int a = 0; a < d; ++a) {
-      const double x = static_cast<double>(spline[a]);
+      const auto x = static_cast<double>(spline[a]);
       Q(r, field++) = x;
       for (int b = a; b < d; ++b)
         Q(r, field++) = a == b ? x * x - 1.0 / 3 : x * static_cast<double>(spline[b]);
@@ -162,7 +162,7 @@ Coarsest coarsest(const SplineMatrix<d>& matrix, const std::vector<Vec<d>>& X, d
 template <int d>
 void solve(const Coarsest& c, const std::vector<Index>& places, const Coefficients<d>& r,
            Coefficients<d>& x) {
-  const Index rows = static_cast<Index>(places.size());
+  const auto rows = static_cast<Index>(places.size());
   if (c.coupled) {
     Eigen::VectorXd packed(d * rows);
     for (Index k = 0; k < rows; ++k) packed.segment<d>(k * d) = r[places[k]].template head<d>();

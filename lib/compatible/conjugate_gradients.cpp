@@ -16,39 +16,41 @@ constexpr std::size_t most_directions = 4;
 /// out smooth errors, may raise it tenfold.
 constexpr double diverged = 1000;
 
-/// In blocks that do not depend on the number of threads.
 template <int d>
-double product(const Multipliers<d>& a, const Multipliers<d>& b) {
+using Fields = std::vector<const Multipliers<d>*>;
+
+/// a . b for every b, in blocks that do not depend on the number of threads. All are read together: on large
+/// clouds reading them is most of the work.
+template <int d>
+std::vector<double> products(const Multipliers<d>& a, const Fields<d>& b) {
   constexpr Index block = 1024;
   const Index n = static_cast<Index>(a.size()), blocks = (n + block - 1) / block;
-  std::vector<double> parts(blocks, 0.0);
+  const std::size_t many = b.size();
+  std::vector<double> parts(blocks * many, 0.0), sums(many, 0.0);
 #pragma omp parallel for schedule(static)
   for (Index k = 0; k < blocks; ++k)
     for (Index i = k * block; i < std::min(n, (k + 1) * block); ++i)
-      parts[k] += a[i].cwiseProduct(b[i]).sum();
-  double sum = 0;
-  for (const double part : parts) sum += part;
-  return sum;
+      for (std::size_t m = 0; m < many; ++m) parts[k * many + m] += a[i].cwiseProduct((*b[m])[i]).sum();
+  for (std::size_t p = 0; p < parts.size(); ++p) sums[p % many] += parts[p];
+  return sums;
 }
 
-/// y = a x + b y.
-template <int d>
-void combine(double a, const Multipliers<d>& x, double b, Multipliers<d>& y) {
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < static_cast<Index>(x.size()); ++i) y[i] = a * x[i] + b * y[i];
-}
-
-/// z, made conjugate to the directions, becomes the first of them.
+/// z, made conjugate to the directions, becomes the first of them. They are nearly conjugate to each other,
+/// so all their parts of z may be found before any is taken out.
 template <int d>
 void take_direction(const BondOperator<d>& N, Multipliers<d>& z, Directions<d>& directions) {
-  for (const auto& before : directions) combine<d>(-product<d>(z, before.Np) / before.pNp, before.p, 1, z);
+  Fields<d> images;
+  for (const auto& before : directions) images.push_back(&before.Np);
+  std::vector<double> part = products<d>(z, images);
+  for (std::size_t m = 0; m < part.size(); ++m) part[m] /= directions[m].pNp;
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < static_cast<Index>(z.size()); ++i)
+    for (std::size_t m = 0; m < part.size(); ++m) z[i] -= part[m] * directions[m].p[i];
   if (directions.size() < most_directions)
     directions.push_back({Multipliers<d>(z.size()), Multipliers<d>(z.size()), 0});
   std::rotate(directions.begin(), directions.end() - 1, directions.end());
-  Direction<d>& now = directions.front();
-  now.p.swap(z);
-  apply(N, now.p, now.Np);
-  now.pNp = product<d>(now.p, now.Np);
+  directions.front().p.swap(z);
+  apply(N, directions.front().p, directions.front().Np);
 }
 
 }  // namespace
@@ -66,11 +68,16 @@ int solve_by_iterations(const BondOperator<d>& N, const Multilevel<d>& multileve
     least = std::min(least, now);
     precondition(N, multilevel, r, work, z);
     take_direction(N, z, directions);
-    const auto& [p, Np, pNp] = directions.front();
-    const double rp = product<d>(r, p);
-    if (!(pNp > 0) || !(rp > 0)) return n;
-    combine<d>(rp / pNp, p, 1, x);
-    combine<d>(-rp / pNp, Np, 1, r);
+    Direction<d>& along = directions.front();
+    const auto found = products<d>(along.p, {&along.Np, &r});
+    along.pNp = found[0];
+    if (!(found[0] > 0) || !(found[1] > 0)) return n;
+    const double step = found[1] / found[0];
+#pragma omp parallel for schedule(static)
+    for (Index i = 0; i < static_cast<Index>(x.size()); ++i) {
+      x[i] += step * along.p[i];
+      r[i] -= step * along.Np[i];
+    }
   }
   return most_iterations;
 }

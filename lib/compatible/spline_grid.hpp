@@ -8,6 +8,10 @@ namespace plumb {
 /// Number of places that splines reach beyond their own along an axis: those of a row of the normal matrix.
 inline constexpr int spline_reach = 4;
 
+constexpr int int_power(int base, int exponent) {
+  return exponent == 0 ? 1 : base * int_power(base, exponent - 1);
+}
+
 /// Cubic B-splines on a regular grid, cells[k] + 3 of them along axis k, in an array with `spline_reach`
 /// empty places on each side, so that no loop asks where the grid ends.
 template <int d>
@@ -50,32 +54,19 @@ struct SplineValues {
 template <int d>
 SplineValues<d> splines_at(const SplineGrid<d>& grid, const Vec<d>& X);
 
+/// Lines along the first axis through the splines around a point.
+template <int d>
+inline constexpr int lines = int_power(4, d - 1);
+/// Per line, the product of the values along the other axes: entry 0 without a slope, entry k with the slope
+/// along axis k.
+template <int d>
+std::array<std::array<double, d>, lines<d>> across(const SplineValues<d>& s);
+
 /// Coefficients of one spline for all components, and of all splines (by place).
 template <int d>
 using Coefficient = Eigen::Matrix<double, lanes<d>, 1>;
 template <int d>
 using Coefficients = std::vector<Coefficient<d>>;
-
-/// Particles by the cell that they are in, cells in an order that lets those of one colour be handled at the
-/// same time: their splines are not the same ones.
-template <int d>
-struct ParticlesByCell {
-  std::vector<Index> begin;             ///< per cell that has particles; one more at the end
-  std::vector<std::int32_t> particles;  ///< ascending within a cell
-  std::vector<Index> colour_begin;      ///< first cell of each colour; one more at the end
-};
-template <int d>
-ParticlesByCell<d> particles_by_cell(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X);
-
-/// x_i += values and gradients of the spline field, THEORY (11.8).
-template <int d>
-void add_prolonged(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X, const Coefficients<d>& c,
-                   Multipliers<d>& x);
-
-/// The transpose: c_k = sum_i B_k(X_i) l_i + L_i grad B_k(X_i).
-template <int d>
-void restrict_to(const SplineGrid<d>& grid, const std::vector<Vec<d>>& X, const ParticlesByCell<d>& by_cell,
-                 const Multipliers<d>& r, Coefficients<d>& c);
 
 /// Between grids: a spline of twice the spacing is 1/8 (1 4 6 4 1) splines along each axis.
 template <int d>

@@ -21,6 +21,21 @@ Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> local_prolongatio
   return P;
 }
 
+/// q times the local prolongation, without making it.
+template <int d>
+Eigen::Matrix<double, 1, int_power(4, d)> prolonged(const SplineValues<d>& s,
+                                                    const Eigen::Matrix<double, 1, d + 1>& q) {
+  Eigen::Matrix<double, 1, int_power(4, d)> t;
+  const auto product = across(s);
+  for (int line = 0; line < lines<d>; ++line) {
+    double value = q[0] * product[line][0];
+    const double slope = q[1] * product[line][0];
+    for (int k = 1; k < d; ++k) value += q[1 + k] * product[line][k];
+    for (int m = 0; m < 4; ++m) t[4 * line + m] = value * s.value[0][m] + slope * s.slope[0][m];
+  }
+  return t;
+}
+
 /// Adds the product with which particle i answers to the splines in the window of 6^d around its cell:
 /// d + 1 rows of C W C^T P.
 template <int d>
@@ -49,10 +64,50 @@ void add_response(const BondOperator<d>& N, const SplineGrid<d>& grid, Index i, 
     int first = centre;
     for (int k = 0, step = 1; k < d; ++k, step *= 6)
       first += static_cast<int>(far.cell[k] - s.cell[k]) * step;
-    const Eigen::Matrix<double, 1, splines> t = q * local_prolongation<d>(far);
-    add(first, (N.weight[n] * p.transpose() * t).eval());
+    add(first, (N.weight[n] * p.transpose() * prolonged<d>(far, q)).eval());
   }
   add(centre, (diagonal * own).eval());
+}
+
+/// The place of spline m of those around a point.
+template <int d>
+Index place_of(const SplineGrid<d>& grid, const SplineValues<d>& s, int m) {
+  Index at = grid.place(s.cell);
+  for (int k = 0; k < d; ++k, m /= 4) at += m % 4 * grid.stride[k];
+  return at;
+}
+
+/// Kept from one cell to the next.
+struct CellWork {
+  RowMajor P, G, product;
+};
+
+/// Adds what the particles of one cell answer, to the rows of the splines that they see.
+template <int d>
+void add_cell(const BondOperator<d>& N, const ParticlesByCell<d>& by_cell, Index cell,
+              const std::vector<std::int32_t>& row_of, CellWork& work, SplineMatrix<d>& matrix) {
+  constexpr int splines = int_power(4, d), window = int_power(6, d);
+  const Index first = by_cell.begin[cell], many = by_cell.begin[cell + 1] - first;
+  work.P.resize(many * (d + 1), splines);
+  work.G.setZero(many * (d + 1), window);
+  SplineValues<d> s;
+  for (Index n = 0; n < many; ++n) {
+    const Index i = by_cell.particles[first + n];
+    s = splines_at<d>(matrix.grid, N.X[i]);
+    const auto own = local_prolongation<d>(s);
+    work.P.template middleRows<d + 1>(n * (d + 1)) = own;
+    add_response<d>(N, matrix.grid, i, s, own, work.G.template middleRows<d + 1>(n * (d + 1)));
+  }
+  work.product.noalias() = work.P.transpose() * work.G;
+  for (int m = 0; m < splines; ++m) {
+    double* row = matrix.row(row_of[place_of(matrix.grid, s, m)]);
+    for (int c = 0; c < window; ++c) {
+      int offset = 0;
+      for (int k = 0, a = m, b = c, step = 1; k < d; ++k, a /= 4, b /= 6, step *= row_width)
+        offset += (b % 6 - 1 - a % 4 + spline_reach) * step;
+      row[offset] += work.product(m, c);
+    }
+  }
 }
 
 }  // namespace
@@ -60,50 +115,24 @@ void add_response(const BondOperator<d>& N, const SplineGrid<d>& grid, Index i, 
 template <int d>
 SplineMatrix<d> spline_matrix(const BondOperator<d>& N, const SplineGrid<d>& grid,
                               const ParticlesByCell<d>& by_cell) {
-  constexpr int splines = int_power(4, d), window = int_power(6, d);
   SplineMatrix<d> matrix;
   matrix.grid = grid;
   std::vector<char> used(grid.places, 0);
-  const auto place_in_cell = [&](const SplineValues<d>& s, int m) {
-    Index at = grid.place(s.cell);
-    for (int k = 0; k < d; ++k, m /= 4) at += m % 4 * grid.stride[k];
-    return at;
-  };
   const Index cells = static_cast<Index>(by_cell.begin.size()) - 1;
   for (Index cell = 0; cell < cells; ++cell) {
     const auto s = splines_at<d>(grid, N.X[by_cell.particles[by_cell.begin[cell]]]);
-    for (int m = 0; m < splines; ++m) used[place_in_cell(s, m)] = 1;
+    for (int m = 0; m < int_power(4, d); ++m) used[place_of(grid, s, m)] = 1;
   }
   make_rows(matrix, used);
   const auto row_of = rows_by_place(matrix);
   for (std::size_t colour = 0; colour + 1 < by_cell.colour_begin.size(); ++colour) {
 #pragma omp parallel
     {
-      RowMajor P, G, product;
+      CellWork work;
 #pragma omp for schedule(static)
-      for (Index cell = by_cell.colour_begin[colour]; cell < by_cell.colour_begin[colour + 1]; ++cell) {
-        const Index many = by_cell.begin[cell + 1] - by_cell.begin[cell];
-        P.resize(many * (d + 1), splines);
-        G.setZero(many * (d + 1), window);
-        SplineValues<d> s;
-        for (Index n = 0; n < many; ++n) {
-          const Index i = by_cell.particles[by_cell.begin[cell] + n];
-          s = splines_at<d>(grid, N.X[i]);
-          const auto own = local_prolongation<d>(s);
-          P.template middleRows<d + 1>(n * (d + 1)) = own;
-          add_response<d>(N, grid, i, s, own, G.template middleRows<d + 1>(n * (d + 1)));
-        }
-        product.noalias() = P.transpose() * G;
-        for (int m = 0; m < splines; ++m) {
-          double* row = matrix.row(row_of[place_in_cell(s, m)]);
-          for (int c = 0; c < window; ++c) {
-            int offset = 0;
-            for (int k = 0, a = m, b = c, step = 1; k < d; ++k, a /= 4, b /= 6, step *= row_width)
-              offset += (b % 6 - 1 - a % 4 + spline_reach) * step;
-            row[offset] += product(m, c);
-          }
-        }
-      }
+      for (Index block = by_cell.colour_begin[colour]; block < by_cell.colour_begin[colour + 1]; ++block)
+        for (Index cell = by_cell.block_begin[block]; cell < by_cell.block_begin[block + 1]; ++cell)
+          add_cell<d>(N, by_cell, cell, row_of, work, matrix);
     }
   }
   finish(matrix);

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/compatible/spline_grid.hpp"
+#include "plumbline/compatible/particles_by_cell.hpp"
 
 namespace plumb {
 

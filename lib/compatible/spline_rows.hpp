@@ -4,9 +4,6 @@
 // What the matrices of all grids are made with.
 namespace plumb {
 
-constexpr int int_power(int base, int exponent) {
-  return exponent == 0 ? 1 : base * int_power(base, exponent - 1);
-}
 inline constexpr int row_width = 2 * spline_reach + 1;  ///< entries of a row along an axis
 
 /// Numbers of rows by place; -1 where there is none.

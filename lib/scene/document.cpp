@@ -218,6 +218,7 @@ TomlValue parse_document(const std::string& text, const std::string& file_name,
   }
   root.where.line = 0;
   std::vector<std::string> overridden;
+  overridden.reserve(overrides.size());
   for (const auto& change : overrides)
     overridden.push_back(apply_override(root, change, alternatives, overridden));
   return root;

@@ -25,7 +25,8 @@ struct Jet {
   /// d2/dx_i dx_j.
   double second(int i, int j) const {
     if (i > j) std::swap(i, j);
-    return curve[static_cast<std::size_t>(i * n - i * (i - 1) / 2 + (j - i))];
+    const int at = i * n - i * (i - 1) / 2 + (j - i);
+    return curve[static_cast<std::size_t>(at)];
   }
   /// f(x) for a function with value f and derivatives df, ddf at x.value.
   Jet chain(double f, double df, double ddf) const {

@@ -44,7 +44,7 @@ std::vector<Scheme> schemes(bool stiff) {
 /// A twist on nodes, lattice and jittered.
 void add_twists(std::vector<Case>& all, const std::string& rate, int across, int along) {
   for (const char* jitter : {"0", "0.2"})
-    for (const auto& scheme : schemes(rate != "105" && across == 5)) {
+    for (const auto& scheme : schemes(rate != "105")) {
       const bool lattice = jitter == std::string("0");
       Case column{fmt::format("columns-twist-{}-{}-{}-{}", rate, across, lattice ? "0" : "2", scheme.id),
                   fmt::format("twist {} rad/s, {} × {} × {}", rate, across, across, along),
@@ -61,16 +61,17 @@ void add_twists(std::vector<Case>& all, const std::string& rate, int across, int
 }
 
 /// The pulled column at the step of its own scene.
-void add_pulls(std::vector<Case>& all) {
+void add_pulls(std::vector<Case>& all, int across, int along) {
   for (const char* nu : {"0.45", "0.495"})
     for (const char* jitter : {"0", "0.2"})
-      all.push_back({fmt::format("columns-pull-{}-{}", std::string(nu).substr(2),
+      all.push_back({fmt::format("columns-pull-{}-{}-{}", std::string(nu).substr(2), across,
                                  jitter == std::string("0") ? "0" : "2"),
-                     fmt::format("pulled to 533 %, ν = {}, 5 × 5 × 25", nu),
+                     fmt::format("pulled to 533 %, ν = {0}, {1} × {1} × {2}", nu, across, along),
                      jitter == std::string("0") ? "lattice" : "jitter 0.2",
                      "compatible, RK3, hourglass α = 2",
                      "pulling-column-compatible",
-                     {std::string("body.jitter=") + jitter, std::string("material.poisson=") + nu},
+                     {fmt::format("body.particles=[{0},{0},{1}]", across, along),
+                      std::string("body.jitter=") + jitter, std::string("material.poisson=") + nu},
                      true,
                      true});
 }
@@ -79,7 +80,9 @@ std::vector<Case> columns(bool long_run) {
   std::vector<Case> all;
   for (const char* rate : {"105", "300", "400"}) add_twists(all, rate, 5, 25);
   if (!long_run) return all;
-  add_pulls(all);
+  add_pulls(all, 5, 25);
+  add_pulls(all, 13, 73);
+  add_twists(all, "105", 8, 43);
   add_twists(all, "300", 12, 67);
   add_twists(all, "400", 13, 73);
   return all;
