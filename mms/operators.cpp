@@ -136,6 +136,7 @@ OperatorFit fit_of(std::string_view name, std::string_view part, const std::vect
                    const std::function<double(const OperatorLevel&)>& value) {
   OperatorFit out{std::string(name), std::string(part), {}, {}};
   std::vector<Level> errors;
+  errors.reserve(levels.size());
   for (const OperatorLevel& level : levels) errors.push_back({level.d, value(level)});
   out.fit = fit_order(errors);
   out.verdict = name_of(classify(out.fit));

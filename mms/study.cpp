@@ -26,6 +26,7 @@ StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector
   StudyFit out;
   out.norm = norm;
   std::vector<Level> errors;
+  errors.reserve(levels.size());
   for (const StudyLevel& level : levels) errors.push_back({level.d, norm_of(level, norm)});
   FitOptions options;
   options.modelling_floor = out.modelling_floor = norm_of(floor, norm);
@@ -123,6 +124,7 @@ std::string status_of(const std::vector<StudyFit>& fits) {
 
 std::vector<std::string> norms_of(const Study& study) {
   std::vector<std::string> names;
+  names.reserve(2 * std::size(norm_names));
   for (const NormName& norm : norm_names) names.emplace_back(norm.name);
   if (wants_gauss(study))
     for (const NormName& norm : norm_names) names.push_back(std::string(norm.name) + "_gauss");

@@ -113,6 +113,7 @@ void mark_front(WorkPrecision& result, bool cpu) {
 std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
   const auto finite = [](const CostAndError& p) { return std::isfinite(p.first) && std::isfinite(p.second); };
   std::vector<bool> front;
+  front.reserve(points.size());
   for (const auto& p : points)
     front.push_back(finite(p) && std::none_of(points.begin(), points.end(), [&](const CostAndError& q) {
                       return finite(q) && q.first <= p.first && q.second <= p.second && q != p;
