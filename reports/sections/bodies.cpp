@@ -90,6 +90,7 @@ Figure history(const Results& results, const DrawnBody& body) {
     picture.y = {"angular momentum left", "%"};
     std::vector<double> percent;
     const auto& L = column(series, "angular momentum z [kg m/s]");
+    percent.reserve(L.size());
     for (const double value : L) percent.push_back(100 * value / L.front());
     picture.series.push_back({"L/L₀", time, percent, Style::lines});
     return {
