@@ -3,9 +3,6 @@
 namespace plumb {
 namespace {
 
-/// Along one axis: what a fine spline k of a column passes to coarse splines, 1/8 (1 4 6 4 1).
-constexpr std::array<double, 5> two_scale = {0.125, 0.5, 0.75, 0.5, 0.125};
-
 Index half_down(Index n) {
   return n >= 0 ? n / 2 : -((1 - n) / 2);
 }

@@ -67,12 +67,6 @@ std::array<std::array<double, d>, lines<d>> across(const SplineValues<d>& s) {
   return product;
 }
 
-namespace {
-
-constexpr std::array<double, 5> two_scale = {0.125, 0.5, 0.75, 0.5, 0.125};
-
-}  // namespace
-
 template <int d>
 void add_refined(const SplineGrid<d>& coarse, const Coefficients<d>& c, const SplineGrid<d>& fine,
                  Coefficients<d>& x) {

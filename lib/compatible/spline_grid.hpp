@@ -68,7 +68,9 @@ using Coefficient = Eigen::Matrix<double, lanes<d>, 1>;
 template <int d>
 using Coefficients = std::vector<Coefficient<d>>;
 
-/// Between grids: a spline of twice the spacing is 1/8 (1 4 6 4 1) splines along each axis.
+/// Between grids: a spline K of twice the spacing is the sum of splines 2K - 3 .. 2K + 1 with these weights,
+/// along each axis.
+inline constexpr std::array<double, 5> two_scale = {0.125, 0.5, 0.75, 0.5, 0.125};
 template <int d>
 void add_refined(const SplineGrid<d>& coarse, const Coefficients<d>& c, const SplineGrid<d>& fine,
                  Coefficients<d>& x);

@@ -20,6 +20,7 @@ std::vector<std::string> corpus(const std::string& name) {
     files.push_back(file.path());
   std::sort(files.begin(), files.end());  // the folder's own order differs from machine to machine
   std::vector<std::string> texts;
+  texts.reserve(files.size());
   for (const auto& file : files) texts.push_back(test::content_of(file));
   return texts;
 }
