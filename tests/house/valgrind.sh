@@ -1,6 +1,6 @@
 #!/bin/bash
 # valgrind.sh [PLUMB]: memcheck over short runs of the program: scenes of every kind with all that they can write, a run that goes on from
-# its checkpoint, explain, the table of bad inputs, studies. Some minutes of one core. PLUMB is a binary without AVX-512, which valgrind
+# its checkpoint, explain, the table of bad inputs, studies. Two minutes of one core. PLUMB is a binary without AVX-512, which valgrind
 # 3.19 does not know: cmake --preset package && cmake --build --preset package --target plumb. Exit code 1 on an error or a lost block.
 set -uo pipefail
 # Possibly lost are the stacks of OpenMP's threads, which live to the end of the program (CHOLMOD starts four, whatever is asked for).

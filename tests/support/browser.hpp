@@ -39,7 +39,7 @@ class Browser {
     const auto start = outcome.out.find("<title>") + 7;
     std::string text = outcome.out.substr(start, outcome.out.find("</title>") - start);
     for (const auto& [from, to] : {std::pair("&lt;", "<"), std::pair("&gt;", ">"), std::pair("&amp;", "&")})
-      for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + 1))
+      for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1))
         text.replace(at, std::string(from).size(), to);
     auto seen = nlohmann::json::parse(text, nullptr, false);
     if (!seen.is_object()) seen = nlohmann::json::object();
@@ -58,7 +58,7 @@ class Browser {
     const std::string boxes = run_shell("pdftotext -bbox " + pdf + " -").out;
     double sheet = 0;
     words = outside = 0;
-    for (std::size_t at = 0; (at = boxes.find('<', at)) != boxes.npos; ++at) {
+    for (std::size_t at = 0; (at = boxes.find('<', at)) != std::string::npos; ++at) {
       if (boxes.compare(at, 6, "<page ") == 0) sheet = attribute(boxes, at, "width=\"");
       if (boxes.compare(at, 6, "<word ") != 0) continue;
       ++words;
@@ -75,7 +75,7 @@ class Browser {
  private:
   static double attribute(const std::string& text, std::size_t from, const std::string& key) {
     const auto at = text.find(key, from);
-    return at == text.npos ? 0 : std::strtod(text.c_str() + at + key.size(), nullptr);
+    return at == std::string::npos ? 0 : std::strtod(text.c_str() + at + key.size(), nullptr);
   }
 
   TemporaryFolder folder_;

@@ -63,7 +63,7 @@ TEST_CASE("compatible: static plate to d = 0.0125, compatible and unprojected sc
           "[compatible][long]") {
   std::cout << "static plate, relative L2 error at d = 0.2, 0.1, 0.05, 0.025, 0.0125\n";
   const auto fine = [](std::vector<std::string> overrides) {
-    overrides.push_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
+    overrides.emplace_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
     return static_plate(overrides);
   };
   for (const char* cloud : {"seed=1", "seed=2", "seed=3", "jitter=0.1"}) {

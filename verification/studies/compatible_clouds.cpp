@@ -39,16 +39,16 @@ void print(const std::string& name, const std::vector<mms::StudyFit>& fits) {
 
 /// Fits of L2 and H1 of the static plate.
 std::vector<mms::StudyFit> static_plate(const std::string& name, const Set& set) {
-  const auto fits = mms::run_static_study(read_study(folder + "static_plate.toml", set)).fits;
+  auto fits = mms::run_static_study(read_study(folder + "static_plate.toml", set)).fits;
   print("static plate, " + name, fits);
   return fits;
 }
 
 /// The same in motion and at finite strain.
 std::vector<mms::StudyFit> moving_plate(const std::string& name, const Set& set) {
-  const auto fits = mms::run_study(read_study(folder + "swinging_plate_finite_strain.toml",
-                                              set + Set{"study.quadrature=nodal"}))
-                        .fits;
+  auto fits = mms::run_study(read_study(folder + "swinging_plate_finite_strain.toml",
+                                        set + Set{"study.quadrature=nodal"}))
+                  .fits;
   print("moving plate, " + name, fits);
   return fits;
 }
@@ -115,7 +115,7 @@ TEST_CASE("compatible: nearly incompressible static plates of every Poisson rati
 
 TEST_CASE("compatible: column under traction and cube on irregular clouds", "[compatible][clouds][long]") {
   const auto order_of = [](const std::string& file, const std::string& name, const Set& set) {
-    const auto fits = mms::run_study(read_study(folder + file, set)).fits;
+    auto fits = mms::run_study(read_study(folder + file, set)).fits;
     print(name, fits);
     return fits;
   };

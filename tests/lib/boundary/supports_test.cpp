@@ -25,6 +25,7 @@ TEST(Supports, HeldComponentsMoveAsPrescribedAndTheOthersAreFree) {
     const auto left = particles_on_face(solid.cloud, 0, false, Layout::node);
     const auto right = particles_on_face(solid.cloud, 0, true, Layout::node);
     std::vector<Support<2>> supports;
+    supports.reserve(left.size() + right.size());
     for (const Index i : left) supports.push_back({i, 0, 0.0});   // roller
     for (const Index i : right) supports.push_back({i, 0, 3.0});  // pulled
     State<2> state = make_state(solid);

@@ -54,9 +54,9 @@ TEST(OrderFit, OrderOfTheLevelsDoesNotMatter) {
 TEST(OrderFit, AgreesWithASumDoneByHand) {
   const double l = std::log(2.0);
   const std::vector<double> y{0, -2, -4.3, -6};
-  std::vector<Level> levels;
+  std::vector<Level> levels(4);
   for (int k = 0; k < 4; ++k)
-    levels.push_back({std::exp(-k * l), std::exp(y[static_cast<std::size_t>(k)] * l)});
+    levels[static_cast<std::size_t>(k)] = {std::exp(-k * l), std::exp(y[static_cast<std::size_t>(k)] * l)};
   // slope = sum (x - xm)(y - ym) / sum (x - xm)^2 with x = -k, xm = -1.5: (1.5*0 - 0.5*2 + 0.5*4.3 + 1.5*6)/5
   // = 2.03 residuals from ym = -3.075: 0.03, 0.06, -0.21, 0.12 -> chi2 = 0.063; s = sqrt(0.063/2/5) =
   // 0.0793725 t(0.975, 2) = 4.302653, so the half-width is 0.341512

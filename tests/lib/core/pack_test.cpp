@@ -11,7 +11,8 @@ namespace {
 template <int W>
 void check_reciprocal_cube_root() {
   double worst = 0;
-  for (double x = 1e-30; x < 1e30; x *= 1.0371) {
+  for (int n = -1900; n <= 1900; ++n) {  // 1e-30 to 1e30
+    const double x = std::pow(1.0371, n);
     const Pack<W> y = reciprocal_cbrt(Pack<W>(x));
     for (int lane = 0; lane < W; ++lane) worst = std::max(worst, std::abs(y[lane] * std::cbrt(x) - 1));
   }

@@ -52,6 +52,7 @@ TEST(W1, HalfLineContinuumAtAWall) {
   const double h = 1;
   std::vector<Neighbour<1>> half;
   const int n = 4000;
+  half.reserve(n);
   for (int j = 0; j < n; ++j) half.push_back({Vec<1>((j + 0.5) * 2 * h / n), 2 * h / n});
   const auto k = correct<1>(Pair::W1, kernel_named<1>("cubic"), h, half);
   // the midpoint rule is second order: (2/4000)^2 times a constant of order 10
@@ -61,6 +62,7 @@ TEST(W1, HalfLineContinuumAtAWall) {
 
 TEST(Uncorrected, LosesHalfOfTheWeightAtABoundary) {
   std::vector<Neighbour<1>> half;
+  half.reserve(4);
   for (int j = 0; j < 4; ++j) half.push_back({Vec<1>(j * 0.5), j == 0 ? 0.25 : 0.5});
   const auto k = correct<1>(Pair::none, kernel_named<1>("cubic"), 1, half);
   double sum = 0;

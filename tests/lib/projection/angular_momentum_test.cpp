@@ -145,7 +145,7 @@ void expect_least_change() {
     const Vec<3> x = in_space<d>(position_of(plain, state, i) - position_of(plain, state, 0));
     const Vec<3> c = in_space<d>((g[i] - f[i]) - (g[0] - f[0]));
     EXPECT_LT(std::abs(x.dot(c)), 1e-9 * x.norm() * c.norm());  // w x x is normal to x
-    if (d == 2) w.push_back(Vec<3>(0, 0, (x[0] * c[1] - x[1] * c[0]) / x.squaredNorm()));
+    if (d == 2) w.emplace_back(0, 0, (x[0] * c[1] - x[1] * c[0]) / x.squaredNorm());
   }
   for (const auto& turning : w) EXPECT_NEAR(turning[2], w[0][2], 1e-9 * std::abs(w[0][2]));
 }

@@ -143,7 +143,7 @@ std::vector<KernelTime> measure_kernels(long particles, double seconds) {
     body->simulation.solid.P = StressWindow(9, body->simulation.solid.blocks(),
                                             body->simulation.solid.blocks(), 1);  // all stresses at once
     count = body->cloud.size();
-    const auto add = [&](const char* name, std::function<void(Body&)> kernel) {
+    const auto add = [&](const char* name, const std::function<void(Body&)>& kernel) {
       const std::string full = fmt::format("{}/{}", name, irregular ? "jittered" : "lattice");
       benchmark::RegisterBenchmark(full.c_str(), [body, kernel](benchmark::State& state) {
         kernel(*body);  // warms up

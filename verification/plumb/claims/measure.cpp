@@ -67,7 +67,7 @@ const Json& entry_at(const Json& result, const std::string& path) {
   for (const auto& step : split_at(path, "/")) {
     at = step_into(*at, step);
     if (!at)
-      throw InputError(fmt::format("nothing at \"{}\" of \"{}\"", step, path), "the result has no such entry",
+      throw InputError(fmt::format(R"(nothing at "{}" of "{}")", step, path), "the result has no such entry",
                        "see the command's JSON");
   }
   return *at;
@@ -102,7 +102,7 @@ CheckResult check(const std::vector<Claim>& claims, bool long_too, const RunComm
     }
     const Status status = status_of(claim, values);
     if (status != claim.status)
-      result.changes.push_back(fmt::format("{}: \"{}\" is recorded, the numbers make it \"{}\"", claim.id,
+      result.changes.push_back(fmt::format(R"({}: "{}" is recorded, the numbers make it "{}")", claim.id,
                                            name_of(claim.status), name_of(status)));
   }
   return result;
