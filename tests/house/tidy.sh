@@ -11,7 +11,7 @@ command -v clang-tidy >/dev/null || { echo "clang-tidy is missing (Debian: clang
 mapfile -t sources < <(git ls-files -- "$@" | grep '\.cpp$' | grep -v -e '^tests/consumer/' -e '^tests/fuzz/fuzz_')
 [ ${#sources[@]} -gt 0 ] || { echo "no sources in $*"; exit 1; }
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
-flags=(-std=c++20 -fopenmp -march=native -DFMT_SHARED -I "$root" -I "$root/verification" -I "$root/tests"
+flags=(-std=c++20 -fopenmp -march=native -DFMT_SHARED -DPLUMB_FUZZ_TARGET=scene -I "$root" -I "$root/verification" -I "$root/tests"
   -I "$root/build/release/include" -I "$root/build/release/generated" -I "$root/build/release/verification"
   -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse -isystem /usr/include/hdf5/serial)
 bad=0 seen=0

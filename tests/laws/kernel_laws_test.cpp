@@ -14,9 +14,9 @@ namespace {
 template <class F>
 double integral(double support, F f) {
   double sum = 0;
-  for (double a = 0; a < support - 1e-12; a += 0.5)
-    sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, a, std::min(a + 0.5, support), 5,
-                                                                         1e-14);
+  for (int half = 0; 0.5 * half < support - 1e-12; ++half)
+    sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+        f, 0.5 * half, std::min(0.5 * (half + 1), support), 5, 1e-14);
   return sum;
 }
 
@@ -52,7 +52,8 @@ TYPED_TEST(KernelLaws, SlopeIsTheDerivative) {
   constexpr int d = TypeParam::d;
   const auto w = [](double q) { return K::template w<d>(q); };
   const double s = 1e-3;
-  for (double q = 0.0137; q < K::support; q += 0.0291) {
+  for (int n = 0; 0.0137 + 0.0291 * n < K::support; ++n) {
+    const double q = 0.0137 + 0.0291 * n;
     const double to_knot = std::abs(q - 0.5 * std::round(2 * q));
     if (to_knot < 2.5 * s) continue;  // differences must not reach over a knot
     const double difference = (8 * (w(q + s) - w(q - s)) - (w(q + 2 * s) - w(q - 2 * s))) / (12 * s);
@@ -77,7 +78,8 @@ TYPED_TEST(KernelLaws, CompactAndContinuousAtTheEdge) {
 TYPED_TEST(KernelLaws, PositiveAndFalling) {
   using K = typename TypeParam::part;
   constexpr int d = TypeParam::d;
-  for (double q = 0.01; q < 0.99 * K::support; q += 0.01) {
+  for (int n = 1; n < 99 * K::support; ++n) {
+    const double q = 0.01 * n;
     EXPECT_GT(K::template w<d>(q), 0) << q;
     EXPECT_LT(K::template dw<d>(q), 0) << q;
   }

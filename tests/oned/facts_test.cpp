@@ -38,9 +38,9 @@ struct Exact {
   std::vector<Rational> X2, X3, linear;
   Exact() {
     for (const Rational& X : cloud.X) {
-      linear.push_back(X + 1);
-      X2.push_back(X * X);
-      X3.push_back(X * X * X);
+      linear.emplace_back(X + 1);
+      X2.emplace_back(X * X);
+      X3.emplace_back(X * X * X);
     }
   }
   second::Weights<Rational> at(std::size_t i, int order, bool L = false) const {

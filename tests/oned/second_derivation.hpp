@@ -1,5 +1,6 @@
 #pragma once
 #include <boost/multiprecision/cpp_int.hpp>
+#include <utility>
 #include <vector>
 
 /// A second derivation of everything in oned/, with other means: kernels written again as sums of truncated
@@ -15,7 +16,7 @@ template <class T>
 struct Dual {
   T a{0}, b{0};
   Dual() = default;
-  Dual(T value, T slope = T(0)) : a(value), b(slope) {}
+  Dual(T value, T slope = T(0)) : a(std::move(value)), b(std::move(slope)) {}
   friend Dual operator+(const Dual& x, const Dual& y) { return {T(x.a + y.a), T(x.b + y.b)}; }
   friend Dual operator-(const Dual& x, const Dual& y) { return {T(x.a - y.a), T(x.b - y.b)}; }
   friend Dual operator*(const Dual& x, const Dual& y) { return {T(x.a * y.a), T(x.a * y.b + x.b * y.a)}; }

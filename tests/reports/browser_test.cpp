@@ -17,6 +17,7 @@ std::string page_text() {
   for (int c = 0; c < 14; ++c) table.columns.push_back({"a column with a name " + std::to_string(c)});
   for (int r = 0; r < 23; ++r) {
     std::vector<Entry> row;
+    row.reserve(14);
     for (int c = 0; c < 14; ++c) row.emplace_back(static_cast<double>((r * 7 + 3) % 23) + 0.1 * c);
     table.rows.push_back(row);
   }

@@ -53,7 +53,7 @@ TEST(Page, EveryTextIsEscaped) {
 
 TEST(Page, NothingComesFromTheNetwork) {
   const std::string page = html(sample());
-  for (const auto& place : all(page, "(?:src|href|action)=[\"']([^\"']*)[\"']"))
+  for (const auto& place : all(page, R"((?:src|href|action)=["']([^"']*)["'])"))
     EXPECT_TRUE(place.starts_with("#") || place.starts_with("data") || place.starts_with("figures/"))
         << place;
   EXPECT_EQ(page.find("@import"), std::string::npos);
@@ -63,10 +63,10 @@ TEST(Page, NothingComesFromTheNetwork) {
 TEST(Page, IdsAreUniqueAndEveryAnchorHasOne) {
   const std::string page = html(sample());
   std::multiset<std::string> ids;
-  const std::regex expression(" id=[\"']([^\"']*)[\"']");
+  const std::regex expression(R"( id=["']([^"']*)["'])");
   for (std::sregex_iterator m(page.begin(), page.end(), expression), end; m != end; ++m) ids.insert((*m)[1]);
   for (const auto& id : ids) EXPECT_EQ(ids.count(id), 1u) << id;
-  for (const auto& anchor : all(page, "href=[\"']#([^\"']*)[\"']"))
+  for (const auto& anchor : all(page, R"(href=["']#([^"']*)["'])"))
     EXPECT_EQ(ids.count(anchor), 1u) << anchor;
   EXPECT_EQ(ids.count("cmd-plate-run"), 1u);
 }

@@ -49,7 +49,8 @@ std::vector<Choice> combinations(const std::vector<std::string>& vary) {
         Choice next = choice;
         const std::string key = axis.key.substr(axis.key.rfind('.') + 1);
         const bool is_number = value.find_first_not_of("0123456789.+-e") == std::string::npos;
-        next.label += (next.label.empty() ? "" : ", ") + (is_number ? key + " " + value : value);
+        if (!next.label.empty()) next.label += ", ";
+        next.label += is_number ? fmt::format("{} {}", key, value) : value;
         next.set.push_back(axis.key + "=" + value);
         longer.push_back(next);
       }
@@ -75,7 +76,7 @@ std::vector<mms::Variant> variants_of(const std::vector<std::string>& files,
       set.insert(set.end(), choice.set.begin(), choice.set.end());
       const Study study = read_study(file, set, solutions);
       std::string label = choice.label.empty() ? study.name : choice.label;
-      if (files.size() > 1 && !choice.label.empty()) label = study.name + ": " + label;
+      if (files.size() > 1 && !choice.label.empty()) label = fmt::format("{}: {}", study.name, label);
       variants.push_back({label, study});
     }
   return variants;

@@ -132,6 +132,7 @@ std::size_t different_rows(Index n) {
   for (Index i = 0; i < cloud.size(); ++i) {
     const auto row = row_of(cloud, bonds[i], i);
     std::vector<std::int64_t> rounded;
+    rounded.reserve(row.size());
     for (const double value : row) rounded.push_back(std::llround(1e9 * value));
     rows.insert(rounded);
     if (row.size() != wanted.size()) continue;

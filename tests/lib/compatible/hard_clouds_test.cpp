@@ -96,7 +96,7 @@ TEST(HardClouds, NearlyDuplicateParticles) {
   const Scene scene = scene_of<2>({1, 1}, 0.1, Layout::node);
   for (const double gap : {1e-2, 1e-4, 1e-6, 1e-9}) {
     Cloud<2> cloud = whole;
-    cloud.X.push_back(cloud.X[cloud.size() / 2] + Vec<2>(0.6, 0.8) * gap * cloud.spacing);
+    cloud.X.emplace_back(cloud.X[cloud.size() / 2] + Vec<2>(0.6, 0.8) * gap * cloud.spacing);
     SCOPED_TRACE(gap);
     try {
       cloud.V =

@@ -61,7 +61,7 @@ TEST(Verdict, ABiasThatStaysFailsOnEitherSide) {
 }
 
 TEST(Verdict, PairsThatLeaveTheDeclaredOrderDoNotPass) {
-  const auto from_orders = [](std::vector<double> orders) {
+  const auto from_orders = [](const std::vector<double>& orders) {
     std::vector<Level> levels{{0.4, 1}};
     for (double p : orders)
       levels.push_back({levels.back().spacing / 2, levels.back().error / std::pow(2, p)});

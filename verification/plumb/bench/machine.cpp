@@ -37,8 +37,8 @@ double fma_rate(int threads) {
       const double almost_one = 0.999999;
       const Real factor = Real::load_once(AlignedVector(native_width, almost_one).data()), offset(1e-6);
       for (long r = 0; r < rounds; ++r)
-        for (int c = 0; c < chains; ++c) sum[c] = sum[c] * factor + offset;
-      for (int c = 0; c < chains; ++c) kept += sum[c][0];
+        for (Real& chain : sum) chain = chain * factor + offset;
+      for (const Real& chain : sum) kept += chain[0];
     }
   });
   const volatile double sink = kept;  // the sums are used
