@@ -52,7 +52,7 @@ TEST(Explain, NamesThePartsWithTheirEquations) {
 /// All equations that any scene's explanation cites stand in THEORY.
 TEST(Explain, CitesEquationsThatExist) {
   const auto theory = test::content_of(PLUMBLINE_SOURCE_DIR "/lib/THEORY.md");
-  const std::regex number("\\([0-9]+\\.[0-9]+\\)");
+  const std::regex number(R"(\([0-9]+\.[0-9]+\))");
   std::size_t cited = 0;
   for (const char* scene : {"bending-column", "swinging-plate", "free_plate"}) {
     const json explanation = explained(scene);

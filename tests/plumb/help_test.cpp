@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -48,7 +49,7 @@ std::vector<std::string> commands() {
   for (const auto& name : listed(run_plumb("").out, "Commands:\n")) {
     all.push_back(name);
     for (const auto& member : listed(run_plumb(name + " --help").out, "Subcommands:\n"))
-      all.push_back(name + " " + member);
+      all.push_back(fmt::format("{} {}", name, member));
   }
   return all;
 }
@@ -95,7 +96,7 @@ TEST(Help, WhatToTryFirstWorksInOrderInAnEmptyFolder) {
 std::set<std::string> completions(const std::string& words) {
   const auto outcome = run_shell(
       "bash --norc --noprofile -c 'eval \"$(" PLUMB_EXECUTABLE " completion bash)\"; COMP_WORDS=(" + words +
-      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _plumb; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
+      R"x(); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _plumb; printf "%s\n" "${COMPREPLY[@]}"')x");
   EXPECT_EQ(outcome.code, 0) << outcome.error;
   std::set<std::string> all;
   std::istringstream lines(outcome.out);

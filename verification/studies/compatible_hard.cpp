@@ -35,7 +35,7 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
   scene.method.gradient = "compatible";
   std::vector<Expression> velocity = {Expression("1e-2*sin(9*X + 5*Y)", d),
                                       Expression("1e-2*sin(7*Y - 4*X)", d)};
-  if (d == 3) velocity.push_back(Expression("1e-2*sin(8*Z + 3*X)", d));
+  if (d == 3) velocity.emplace_back("1e-2*sin(8*Z + 3*X)", d);
   scene.initial = Initial{velocity, {}};
   return scene;
 }
@@ -224,7 +224,7 @@ Cloud<2> clustered(Index cells) {
 Cloud<2> with_duplicate(double gap) {
   Cloud<2> cloud =
       jittered<2>(lattice<2>({Vec<2>::Zero(), Vec<2>::Ones()}, {10, 10}, Layout::node), 0.2, 1, Layout::node);
-  cloud.X.push_back(cloud.X[cloud.size() / 2] + Vec<2>(0.6, 0.8) * gap * cloud.spacing);
+  cloud.X.emplace_back(cloud.X[cloud.size() / 2] + Vec<2>(0.6, 0.8) * gap * cloud.spacing);
   cloud.V = voronoi_volumes<2>(cloud.X, cloud.box);
   return cloud;
 }

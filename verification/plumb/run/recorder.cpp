@@ -1,5 +1,7 @@
 #include "plumb/run/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "plumb/run/frame.hpp"
@@ -12,7 +14,7 @@ constexpr const char* axes = "xyz";
 
 template <int d>
 void add_columns(std::vector<std::string>& columns, const std::string& name, const std::string& unit) {
-  for (int k = 0; k < d; ++k) columns.push_back(name + " " + axes[k] + " [" + unit + "]");
+  for (int k = 0; k < d; ++k) columns.push_back(fmt::format("{} {} [{}]", name, axes[k], unit));
 }
 
 template <int d>
@@ -50,7 +52,7 @@ std::vector<std::string> Recorder<d>::columns() const {
   add_columns<d>(names, "linear momentum", d == 2 ? "kg/s" : "kg m/s");
   const std::string unit = d == 2 ? " [kg m/s]" : " [kg m^2/s]";
   for (int k = d == 2 ? 2 : 0; k < 3; ++k) names.push_back(std::string("angular momentum ") + axes[k] + unit);
-  names.push_back("hourglass share");
+  names.emplace_back("hourglass share");
   for (const auto& probe : probes_) {
     add_columns<d>(names, probe.name + " position", "m");
     add_columns<d>(names, probe.name + " displacement", "m");

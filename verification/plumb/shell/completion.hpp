@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
+namespace CLI {
 class App;
 }
 
