@@ -53,7 +53,7 @@ void add_twists(std::vector<Case>& all, const std::string& rate, int across, int
                   "twisting-column-" + rate,
                   {"body.layout=node", fmt::format("body.particles=[{0},{0},{1}]", across, along),
                    std::string("body.jitter=") + jitter, "method.cfl=0.5"}};
-      if (rate == "105") column.set.push_back("scene.end_time=0.25");
+      if (rate == "105") column.set.emplace_back("scene.end_time=0.25");
       column.set.insert(column.set.end(), scheme.set.begin(), scheme.set.end());
       column.wanted = rate == "105" && scheme.id != "paper";
       all.push_back(std::move(column));
@@ -96,7 +96,7 @@ Job job_of(const Case& column) {
 }
 
 std::string end_of(const Json& run) {
-  const std::string status = text(run, "status");
+  std::string status = text(run, "status");
   if (run.at("failure").is_null()) return status;
   return fmt::format("{} ({} = {:.3g})", text(run.at("failure"), "cause"),
                      text(run.at("failure"), "quantity"), number(run.at("failure"), "value"));
