@@ -72,11 +72,11 @@ Section write(const Results& results) {
     std::vector<Entry> row{scheme.momentum, scheme.gradient};
     for (const double nu : ratios) {
       const double error = error_at(points, nu, scheme, spacing);
-      row.push_back(error);
+      row.emplace_back(error);
       series.x.push_back(0.5 - nu);
       series.y.push_back(error);
     }
-    row.push_back(std::log2(error_at(points, ratios.back(), scheme, 2 * spacing) / series.y.back()));
+    row.emplace_back(std::log2(error_at(points, ratios.back(), scheme, 2 * spacing) / series.y.back()));
     table.rows.push_back(row);
     const double growth = series.y.back() / series.y.front();
     if (growth < least) least = growth, best = series.label;

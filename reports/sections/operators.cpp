@@ -146,7 +146,7 @@ DataTable constraint_table() {
 void add_rows(const Case& entry, const Json& result, DataTable& orders, DataTable& constraint) {
   std::vector<Entry> row{entry.cloud, entry.scheme};
   for (const char* name : {"F", "Div P", "Laplacian"})
-    for (const char* part : {"inside", "boundary"}) row.push_back(order_text(fit_of(result, name, part)));
+    for (const char* part : {"inside", "boundary"}) row.emplace_back(order_text(fit_of(result, name, part)));
   orders.rows.push_back(row);
   orders.jobs.push_back(entry.id);
   const auto values = column(result, "constraint_inside");

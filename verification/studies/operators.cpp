@@ -32,7 +32,7 @@ struct Measured {
 };
 
 Measured run(const char* file, const Overrides& overrides) {
-  const Measured m{mms::run_operators(
+  Measured m{mms::run_operators(
       read_study(std::string(PLUMBLINE_SOURCE_DIR "/verification/studies/") + file, overrides))};
   std::string what = file;
   for (const auto& o : overrides) what += " " + o;

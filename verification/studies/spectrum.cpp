@@ -134,7 +134,8 @@ TEST_CASE("symbols on the line are those of method.md", "[spectrum][symbol]") {
   const LatticeSymbol<1> standard(options_of<1>("standard", "adjoint"), 2.0),
       improved(options_of<1>("improved", "adjoint"), 2.0), bond(options_of<1>("bond", "adjoint"), 2.0),
       narrow(options_of<1>("improved", "adjoint"), 0.9);
-  for (double theta = 0.1; theta < 3.14; theta += 0.1) {
+  for (int n = 1; n <= 31; ++n) {
+    const double theta = 0.1 * n;
     const Vec<1> t(theta);
     const double c = std::cos(theta), s = std::sin(theta);
     // margins: rounding of a sum of eight terms

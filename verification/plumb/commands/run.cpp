@@ -116,7 +116,7 @@ std::optional<Checkpoint> starting_point(const RunOptions& options, const std::f
 std::string line_to_resume(const RunOptions& options, const std::filesystem::path& folder) {
   std::vector<std::string> words{"run", options.scene.file};
   for (const auto& change : options.scene.overrides) {
-    words.push_back("--set");
+    words.emplace_back("--set");
     words.push_back(change);
   }
   for (const auto& word : {std::string("--out"), folder.string(), std::string("--resume")})
