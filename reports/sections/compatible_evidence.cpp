@@ -111,7 +111,8 @@ std::vector<Entry> refused_entries(const Row& row, const std::string& failure) {
   return entries;
 }
 
-/// Order 1 or better, up to what the verdicts resolve (lib/convergence/README.md); fails where none is fitted.
+/// Order 1 or better, up to what the verdicts resolve (lib/convergence/README.md); fails where none is
+/// fitted.
 Check gradient_check(const Row& row, const Json& result) {
   constexpr double resolution = 0.1;
   Check check = study_check(row.name() + ", H₁", result, "h1");
