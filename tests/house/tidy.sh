@@ -1,8 +1,8 @@
 #!/bin/bash
 # tidy.sh [FOLDER|FILE..]: clang-tidy (.clang-tidy) over everything that is compiled, or over that. From the root folder, after a build of the
 # release preset. Nine tenths of its time go into the headers of libraries, so up to eight sources are read as one unit, each of another folder,
-# because names clash within one; units that clash all the same are read in halves, down to single ones. Exit code 1 on a finding, or if it
-# looked at nothing.
+# because names clash within one; units that clash all the same are read in halves, down to single ones. An hour of one core for all. Exit code
+# 1 on a finding, or if it looked at nothing.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 root=$PWD
