@@ -7,21 +7,8 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The 4^d splines around a point, and their derivatives: rows of the prolongation.
-template <int d>
-Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> local_prolongation(const SplineValues<d>& s) {
-  Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> P;
-  for (int m = 0; m < int_power(4, d); ++m)
-    for (int row = 0; row <= d; ++row) {
-      double product = 1;
-      for (int k = 0, rest = m; k < d; ++k, rest /= 4)
-        product *= k == row - 1 ? s.slope[k][rest % 4] : s.value[k][rest % 4];
-      P(row, m) = product;
-    }
-  return P;
-}
-
-/// q times the local prolongation, without making it.
+/// What the 4^d splines around a point give there, value and derivatives weighted by q: a row of the
+/// prolongation.
 template <int d>
 Eigen::Matrix<double, 1, int_power(4, d)> prolonged(const SplineValues<d>& s,
                                                     const Eigen::Matrix<double, 1, d + 1>& q) {
@@ -34,6 +21,14 @@ Eigen::Matrix<double, 1, int_power(4, d)> prolonged(const SplineValues<d>& s,
     for (int m = 0; m < 4; ++m) t[4 * line + m] = value * s.value[0][m] + slope * s.slope[0][m];
   }
   return t;
+}
+
+/// All rows: the value and the derivatives.
+template <int d>
+Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> local_prolongation(const SplineValues<d>& s) {
+  Eigen::Matrix<double, d + 1, int_power(4, d), Eigen::RowMajor> P;
+  for (int row = 0; row <= d; ++row) P.row(row) = prolonged<d>(s, Eigen::Matrix<double, 1, d + 1>::Unit(row));
+  return P;
 }
 
 /// Adds the product with which particle i answers to the splines in the window of 6^d around its cell:
