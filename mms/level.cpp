@@ -55,8 +55,6 @@ Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacin
   scene.body = with_spacing(study.body, spacing);
   scene.material = study.material;
   scene.method = study.method;
-  scene.jst = study.jst;
-  scene.hourglass = study.hourglass;
   for (const Wall& wall : walls) {
     Boundary boundary;
     boundary.face = Face{wall.axis, wall.upper ? +1 : -1};

@@ -7,6 +7,7 @@
 
 #include "mms/level.hpp"
 #include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/gradient/each_bond.hpp"
 #include "plumbline/solid/evaluate.hpp"
 
 namespace plumb::mms {
@@ -38,11 +39,11 @@ std::vector<Vec<d>> forces(Solid<d>& solid, State<d>& state) {
 template <int d>
 Vec<d> laplacian_at(const Solid<d>& solid, const State<d>& state, Index particle) {
   const BondTable<d>& t = solid.bonds;
-  const Index i = t.slots.of(particle), row = t.row[i / t.width], lane = i % t.width;
+  const Index i = t.slots.of(particle);
   Vec<d> sum = Vec<d>::Zero();
-  for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n)
-    sum +=
-        t.laplacian[n * t.width + lane] * (vector_at<d>(state.u, i + t.offset[n]) - vector_at<d>(state.u, i));
+  for_each_bond(t, i, [&](const BondEntry<d>& bond, const Vec<d>&) {
+    sum += bond.value(t.laplacian) * (vector_at<d>(state.u, bond.other) - vector_at<d>(state.u, i));
+  });
   return sum;
 }
 
@@ -56,8 +57,8 @@ Vec<d> exact_laplacian(const Motion<d>& motion) {
 /// The study's body at rest, with the weights of the Laplacian and no dissipation made of them.
 template <int d>
 Simulation<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
-  if (!study.jst) study.jst = Jst{};
-  study.jst->eta2 = study.jst->eta4 = 0;
+  if (!study.method.jst) study.method.jst = JstOptions{};
+  study.method.jst->eta2 = study.method.jst->eta4 = 0;
   return simulation_of<d>(study, solution, spacing);
 }
 

@@ -19,13 +19,16 @@ double cpu_now() {
 
 template <int d>
 Simulation<d> simulation_of(const Study& study, double spacing) {
+  if (study.method.projection)
+    throw InputError("[projection] in a static study", "it takes the torque off a force and has no stiffness",
+                     "Leave it out.");
   Scene scene;
   scene.dimension = d;
   scene.max_steps = 1;
   scene.body = with_spacing(study.body, spacing);
   scene.material = study.material;
   scene.method = study.method;
-  scene.hourglass = study.hourglass;
+  scene.method.jst = std::nullopt;  // nothing moves
   return make_simulation<d>(scene);
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "plumbline/diagnostics/in_space.hpp"
+#include "plumbline/gradient/each_bond.hpp"
 
 namespace plumb {
 namespace {
@@ -80,45 +81,20 @@ Extent<d> extent_of(const Solid<d>& solid, const State<d>& state) {
 }
 
 template <int d>
-Mat<d> deformation_gradient_of(const Solid<d>& solid, const State<d>& state, Index particle) {
-  const BondTable<d>& t = solid.bonds;
-  const Index i = t.slots.of(particle);
-  const int W = t.width;
-  const Index row = t.row[i / W], lane = i % W;
-  Mat<d> F;
-  for (int a = 0; a < d; ++a)
-    for (int b = 0; b < d; ++b) F(a, b) = t.identity[((row * d + a) * d + b) * W + lane];
-  for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n)
-    for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b)
-        F(a, b) += (state.u[a][i + t.offset[n]] - state.u[a][i]) * t.stencil[(n * d + b) * W + lane];
-  if (!t.mirror) return F;
-  const MirrorBonds<d>& m = *t.mirror;
-  for (std::int64_t n = m.begin[row]; n < m.begin[row + 1]; ++n)
-    for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b)
-        F(a, b) +=
-            (m.signs[n][a] * state.u[a][i + m.offset[n]] - state.u[a][i]) * m.stencil[(n * d + b) * W + lane];
-  return F;
-}
-
-template <int d>
 double hourglass_share(const Solid<d>& solid, const State<d>& state) {
   const BondTable<d>& t = solid.bonds;
   std::vector<Mat<d>> F(t.slots.count(), Mat<d>::Identity());
   for (Index p = 0; p < solid.cloud.size(); ++p) F[t.slots.of(p)] = deformation_gradient_of(solid, state, p);
   using Sums = Eigen::Vector2d;
   const Sums sums = sum_over_particles(solid.cloud.size(), Sums(Sums::Zero()), [&](Sums& sum, Index p) {
-    const Index i = t.slots.of(p), row = t.row[i / t.width], lane = i % t.width;
-    for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
-      Vec<d> X;
-      for (int k = 0; k < d; ++k) X[k] = t.separation[(n * d + k) * t.width + lane];
-      if (X.norm() == 0 || X.norm() > 1.1 * solid.cloud.spacing) continue;
-      const Index j = i + t.offset[n];
+    const Index i = t.slots.of(p);
+    for_each_bond(t, i, [&](const BondEntry<d>& bond, const Vec<d>& X) {
+      if (X.norm() > 1.1 * solid.cloud.spacing) return;
+      const Index j = bond.other;
       const Vec<d> x = X + vector_at<d>(state.u, j) - vector_at<d>(state.u, i);
       sum[0] += (x - 0.5 * (F[i] + F[j]) * X).squaredNorm();
       sum[1] += x.squaredNorm();
-    }
+    });
   });
   return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.0;
 }
@@ -131,8 +107,6 @@ template Momentum momentum_of<2>(const Solid<2>&, const State<2>&);
 template Momentum momentum_of<3>(const Solid<3>&, const State<3>&);
 template Extent<2> extent_of<2>(const Solid<2>&, const State<2>&);
 template Extent<3> extent_of<3>(const Solid<3>&, const State<3>&);
-template Mat<2> deformation_gradient_of<2>(const Solid<2>&, const State<2>&, Index);
-template Mat<3> deformation_gradient_of<3>(const Solid<3>&, const State<3>&, Index);
 template double hourglass_share<2>(const Solid<2>&, const State<2>&);
 template double hourglass_share<3>(const Solid<3>&, const State<3>&);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "plumbline/solid/kinematics.hpp"
 #include "plumbline/solid/solid.hpp"
 
 namespace plumb {
@@ -45,15 +46,5 @@ Extent<d> extent_of(const Solid<d>& solid, const State<d>& state);
 /// (8.4).
 template <int d>
 double hourglass_share(const Solid<d>& solid, const State<d>& state);
-
-/// Deformation gradient of one particle.
-template <int d>
-Mat<d> deformation_gradient_of(const Solid<d>& solid, const State<d>& state, Index particle);
-
-/// Current position of one particle [m].
-template <int d>
-Vec<d> position_of(const Solid<d>& solid, const State<d>& state, Index particle) {
-  return solid.cloud.X[particle] + vector_at<d>(state.u, solid.bonds.slots.of(particle));
-}
 
 }  // namespace plumb

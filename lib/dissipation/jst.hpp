@@ -1,18 +1,11 @@
 #pragma once
+#include "plumbline/dissipation/jst_options.hpp"
 #include "plumbline/solid/solid.hpp"
 
 namespace plumb {
 
-/// Jameson-Schmidt-Turkel dissipation (28) of the momentum p = rho v:
-/// D = eta2 C h lap' p - eta4 C h^3 lap' (lap p), lap the corrected Laplacian (27), lap' its symmetrised
-/// form. THEORY (6.1)-(6.4).
-struct JstOptions {
-  double eta2 = 0;
-  double eta4 = 0.125;
-};
-
-/// The term; needs a bond table made with laplacian = true, whose options also choose the outer level. Keeps
-/// one array of d components (two if eta2 is not zero).
+/// Makes the term; needs a bond table made with laplacian = true, whose options also choose the outer level.
+/// Keeps one array of d components (two if eta2 is not zero).
 template <int d>
 Term<d> jst_term(const Solid<d>& solid, const JstOptions& options);
 

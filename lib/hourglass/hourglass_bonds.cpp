@@ -1,21 +1,8 @@
 #include "plumbline/hourglass/hourglass_bonds.hpp"
 
+#include "plumbline/gradient/each_bond.hpp"
+
 namespace plumb {
-namespace {
-
-/// Calls use(j, n, X_ij): slot of the neighbour, place of the bond in arrays of one value per bond and lane.
-template <int d, class Use>
-void for_each_bond(const BondTable<d>& t, Index slot, Use&& use) {
-  const Index row = t.row[slot / t.width], lane = slot % t.width;
-  for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
-    Vec<d> X;
-    for (int a = 0; a < d; ++a) X[a] = t.separation[(n * d + a) * t.width + lane];
-    if (X.squaredNorm() > 0) use(slot + t.offset[n], n * t.width + lane, X);
-  }
-}
-
-}  // namespace
-
 template <int d>
 HourglassBonds hourglass_bonds(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha) {
   const BondTable<d>& t = solid.bonds;
@@ -29,16 +16,18 @@ HourglassBonds hourglass_bonds(const Solid<d>& solid, const RadialKernel<d>& ker
     const Index i = t.slots.of(p);
     k.per_volume[i] = 1 / solid.volume[i];
     sum[i] = solid.volume[i] * kernel.w(0);
-    for_each_bond(
-        t, i, [&](Index j, Index, const Vec<d>& X) { sum[i] += solid.volume[j] * kernel.w(X.norm() / h); });
+    for_each_bond(t, i, [&](const BondEntry<d>& bond, const Vec<d>& X) {
+      sum[i] += solid.volume[bond.other] * kernel.w(X.norm() / h);
+    });
   }
   for (Index p = 0; p < solid.cloud.size(); ++p) {
     const Index i = t.slots.of(p);
-    for_each_bond(t, i, [&](Index j, Index n, const Vec<d>& X) {
+    for_each_bond(t, i, [&](const BondEntry<d>& bond, const Vec<d>& X) {
+      const Index j = bond.other;
       const double pair =
           alpha * mu * solid.volume[i] * solid.volume[j] * kernel.w(X.norm() / h) / X.squaredNorm();
-      k.own[n] = pair / sum[i];
-      k.other[n] = pair / sum[j];
+      k.own[bond.place()] = pair / sum[i];
+      k.other[bond.place()] = pair / sum[j];
     });
   }
   return k;
@@ -56,14 +45,11 @@ void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
     std::vector<Index> unknown{p};
     std::vector<double> springs;
     std::vector<Vec<d>> X, c;
-    const Index i = t.slots.of(p), lane = i % t.width;
-    for_each_bond(t, i, [&](Index j, Index n, const Vec<d>& separation) {
-      unknown.push_back(particle[j]);
-      springs.push_back(k.own[n]);
+    for_each_bond(t, t.slots.of(p), [&](const BondEntry<d>& bond, const Vec<d>& separation) {
+      unknown.push_back(particle[bond.other]);
+      springs.push_back(k.own[bond.place()]);
       X.push_back(separation);
-      Vec<d> stencil;
-      for (int a = 0; a < d; ++a) stencil[a] = t.stencil[(n / t.width * d + a) * t.width + lane];
-      c.push_back(stencil);
+      c.push_back(bond.vector(t.stencil));
     });
     const auto n = static_cast<Index>(X.size());
     Eigen::MatrixXd D = Eigen::MatrixXd::Zero(n, n + 1);

@@ -42,9 +42,6 @@ std::vector<std::string> wave_speed_names() {
 std::vector<std::string> material_names() {
   return names_of(MaterialCatalogue{});
 }
-std::vector<std::string> outer_laplacian_names() {
-  return {"symmetric", "transpose"};
-}
 std::vector<std::string> shape_names() {
   return shape_catalogue_names();
 }

@@ -17,7 +17,6 @@ std::vector<std::string> momentum_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> wave_speed_names();
 std::vector<std::string> material_names();
-std::vector<std::string> outer_laplacian_names();
 std::vector<std::string> shape_names();
 std::vector<std::string> layout_names();
 std::vector<std::string> boundary_kind_names();

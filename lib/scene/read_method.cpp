@@ -66,40 +66,22 @@ Method read_method_section(const Section& root) {
   return method;
 }
 
+/// True if there is a section [projection]. It has no keys.
+bool read_projection(const Section& root) {
+  const auto section = root.optional_section("projection");
+  if (section) section->reject_unknown();
+  return section.has_value();
+}
+
 }  // namespace
 
 Method read_method(const Section& root) {
   Method method = read_method_section(root);
   method.compatible = read_compatible(root, method);
+  method.jst = read_jst(root);
+  method.hourglass = read_hourglass(root);
+  method.projection = read_projection(root);
   return method;
-}
-
-std::optional<Jst> read_jst(const Section& root) {
-  const auto section = root.optional_section("jst");
-  if (!section) return std::nullopt;
-  Jst jst;
-  jst.eta2 = section->number_or("eta2", jst.eta2, quantity::number, Sign::not_negative);
-  jst.eta4 = section->number_or("eta4", jst.eta4, quantity::number, Sign::not_negative);
-  jst.laplacian_factor =
-      section->number_or("laplacian_factor", jst.laplacian_factor, quantity::number, Sign::positive);
-  jst.outer = section->choice_or("outer", jst.outer, outer_laplacian_names());
-  section->reject_unknown();
-  return jst;
-}
-
-std::optional<Hourglass> read_hourglass(const Section& root) {
-  const auto section = root.optional_section("hourglass");
-  if (!section) return std::nullopt;
-  Hourglass hourglass;
-  hourglass.alpha = section->number_or("alpha", hourglass.alpha, quantity::number, Sign::not_negative);
-  section->reject_unknown();
-  return hourglass;
-}
-
-bool read_projection(const Section& root) {
-  const auto section = root.optional_section("projection");
-  if (section) section->reject_unknown();
-  return section.has_value();
 }
 
 void refuse_beside_mirror(const Section& root, Layout layout, const Method& method) {

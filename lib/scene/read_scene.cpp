@@ -38,9 +38,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name : {"scene", "body", "material", "method", "compatible", "jst", "hourglass",
-                           "projection", "initial", "boundary", "output"})
-    root.has(name);
+  for (const char* name : {"scene", "body", "material", "initial", "boundary", "output"}) root.has(name);
+  for (const char* name : method_sections) root.has(name);
   if (!root.has("scene") && root.has("study"))
     root.fail("study", "this file is a study", "a scene has [scene]", "plumb mms is for studies");
   root.reject_unknown();
@@ -62,9 +61,6 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.body = read_body(root.section("body"), scene.dimension, true);
   scene.material = read_material(root.section("material"));
   scene.method = read_method(root);
-  scene.jst = read_jst(root);
-  scene.hourglass = read_hourglass(root);
-  scene.projection = read_projection(root);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.output = read_output(root, scene.body);

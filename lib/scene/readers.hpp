@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
+
+#include "plumbline/input/section.hpp"
 #include "plumbline/scene/scene.hpp"
-#include "plumbline/scene/section.hpp"
 
 /// One reader per section of scene and study files; each refuses unknown keys. Used by read_scene.cpp and
 /// study.cpp.
@@ -10,12 +12,10 @@ namespace plumb {
 /// (studies). `dimension` 0: as many as body.size has.
 Body read_body(const Section& section, int dimension, bool with_lattice);
 MaterialChoice read_material(const Section& section);
-/// [method] and [compatible]. Defaults if a section is absent.
+/// The sections that read_method reads: [method] and those of its parts.
+inline constexpr std::array method_sections{"method", "compatible", "jst", "hourglass", "projection"};
+/// Reads the scheme with its optional parts. Defaults if a section is absent.
 Method read_method(const Section& root);
-std::optional<Jst> read_jst(const Section& root);
-std::optional<Hourglass> read_hourglass(const Section& root);
-/// True if there is a section [projection].
-bool read_projection(const Section& root);
 std::optional<Initial> read_initial(const Section& root, int dimension);
 std::vector<Boundary> read_boundaries(const Section& root, int dimension);
 std::optional<Output> read_output(const Section& root, const Body& body);

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/dissipation/jst_options.hpp"
 #include "plumbline/geometry/shape.hpp"
-#include "plumbline/scene/expression.hpp"
+#include "plumbline/hourglass/hourglass_options.hpp"
+#include "plumbline/input/expression.hpp"
+#include "plumbline/time/default_cfl.hpp"
 
 /// The scene file as plain values, in SI units. A section that is left out is a thing that is not built:
 /// nullopt or an empty list. Names (kernel, pair, ..) have been checked against the catalogues by the reader
@@ -58,9 +61,9 @@ struct Compatible {
   std::string cache;                ///< folder of tables that were projected before; empty: none is kept
 };
 
-/// [method]: the scheme. The defaults are the ones method.md proposes for users: the adjoint force needs no
-/// dissipation to be stable, so velocity Verlet with one evaluation a step serves. Paper mode is symmetrised,
-/// rk3 and a [jst] section.
+/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The defaults
+/// are the ones method.md proposes for users: the adjoint force needs no dissipation to be stable, so
+/// velocity Verlet with one evaluation a step serves. Paper mode is symmetrised, rk3 and a [jst] section.
 struct Method {
   std::string kernel = "cubic";
   double beta = 0.9;        ///< h/d: the least neighbours with no near-zero modes (method.md, section 1)
@@ -69,26 +72,14 @@ struct Method {
   Compatible compatible;              ///< of gradient = "compatible" only
   std::string momentum =
       "adjoint";  ///< symmetrised (22) | adjoint: energy and angular momentum exact | variational
-  std::string integrator = "verlet";  ///< rk3 | verlet
-  std::optional<double> cfl =
-      0.5;  ///< alpha_CFL (31); nullopt if time_step is set. 0.5: every measured variant is stable
-  std::optional<double> time_step;  ///< fixed [s]; nullopt if cfl is set
+  std::string integrator = "verlet";        ///< rk3 | verlet
+  std::optional<double> cfl = default_cfl;  ///< alpha_CFL (31); nullopt if time_step is set
+  std::optional<double> time_step;          ///< fixed [s]; nullopt if cfl is set
   std::string wave_speed =
       "linear";  ///< linear | stretch | stretch-inverse (32): linear costs nothing and is constant
-};
-
-/// [jst]: Jameson-Schmidt-Turkel dissipation (28).
-struct Jst {
-  double eta2 = 0.0;         ///< second-order coefficient; 0: that term is not built
-  double eta4 = 1.0 / 64.0;  ///< fourth-order coefficient, the paper's for the columns
-  double laplacian_factor =
-      2.0;  ///< of phi = -factor W'/r; the papers' own Laplacian is probably half of it: 1
-  std::string outer = "symmetric";  ///< symmetric (28) | transpose: L^T V L, dissipative by construction
-};
-
-/// [hourglass]: the energy form (method.md, section 3).
-struct Hourglass {
-  double alpha = 0.5;  ///< coefficient; 0.5 to 1 kept the twisted column free of hourglass modes
+  std::optional<JstOptions> jst;              ///< [jst]; absent: no dissipation
+  std::optional<HourglassOptions> hourglass;  ///< [hourglass]; absent: no hourglass energy
+  bool projection = false;  ///< [projection], which has no keys: forces without torque (paper 003, (64)-(67))
 };
 
 /// [initial]: exactly one of the two is given.
@@ -145,9 +136,6 @@ struct Scene {
   Body body;
   MaterialChoice material;
   Method method;
-  std::optional<Jst> jst;
-  std::optional<Hourglass> hourglass;
-  bool projection = false;  ///< [projection], which has no keys: forces without torque (paper 003, (64)-(67))
   std::optional<Initial> initial;  ///< absent: at rest
   std::vector<Boundary> boundaries;
   std::optional<Output> output;  ///< absent: the summary only

@@ -20,9 +20,6 @@ namespace {
 /// A closed body whose total energy doubles is unstable beyond doubt: the paper's scheme gains at most a
 /// tenth (method.md).
 constexpr double closed_energy_bound = 1.0;
-/// Extent of the stability region on the negative real axis: of SSP-RK3, and of a kick with the velocity
-/// before it.
-constexpr double rk3_damping_limit = 2.51, verlet_damping_limit = 2.0;
 
 /// A step that rounding swallows would never end.
 void require_progress(double dt, const Scene& scene) {
@@ -118,16 +115,13 @@ Surface<d> guess_surface(Cloud<d>& cloud) {
   return clipped_surface<d>(cloud, shape);
 }
 
-double damping_limit(const Scene& scene) {
-  return scene.method.integrator == "rk3" ? rk3_damping_limit : verlet_damping_limit;
-}
-
 template <int d>
 void add_jst(Simulation<d>& simulation, const Scene& scene) {
-  const JstOptions options{scene.jst->eta2, scene.jst->eta4};
+  const JstOptions& options = *scene.method.jst;
   add_term(simulation.solid, jst_term(simulation.solid, options));
   if (options.eta4 == 0) return;
-  simulation.solid.step_limit = jst_step_limit(simulation.solid, options, damping_limit(scene));
+  simulation.solid.step_limit =
+      jst_step_limit(simulation.solid, options, stability_limits(scene.method.integrator).real_axis);
 }
 
 /// Changes of an area vector beyond this [spacing^(d-1)] are larger than any area a particle has.
@@ -157,10 +151,10 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   const bool variational = scene.method.momentum == "variational";
   options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
   options.walls = walls_of(scene);
-  if (scene.jst) {
+  if (scene.method.jst) {
     options.laplacian = true;
-    options.laplacian_factor = scene.jst->laplacian_factor;
-    options.outer_transpose = scene.jst->outer == "transpose";
+    options.laplacian_factor = scene.method.jst->laplacian_factor;
+    options.outer_transpose = scene.method.jst->outer == "transpose";
   }
   return options;
 }
@@ -198,17 +192,18 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
   simulation.supports = supports_of_scene<d>(simulation.solid.cloud, scene);
   set_initial_velocity(simulation.solid, scene, simulation.state);
   impose(simulation.solid, simulation.supports, simulation.state);
-  if (scene.jst) add_jst(simulation, scene);
-  if (scene.hourglass && scene.hourglass->alpha > 0)
-    add_term(simulation.solid, hourglass_term(simulation.solid, options.kernel, scene.hourglass->alpha));
-  if (scene.projection) add_term(simulation.solid, angular_momentum_projection(simulation.solid));
+  if (scene.method.jst) add_jst(simulation, scene);
+  if (scene.method.hourglass)
+    add_term(simulation.solid,
+             hourglass_term(simulation.solid, options.kernel, scene.method.hourglass->alpha));
+  if (scene.method.projection) add_term(simulation.solid, angular_momentum_projection(simulation.solid));
   refuse_contradictions<d>(simulation.solid.cloud, simulation.supports);
   const double step = time_step(simulation.solid, simulation.state, simulation.control);
   require_progress(step, scene);
   simulation.warnings =
       warnings_of<d>(scene, simulation.solid,
                      {step, crossing_time(simulation.solid, simulation.state, simulation.control.wave_speed),
-                      damping_limit(scene)});
+                      stability_limits(scene.method.integrator).real_axis});
   simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
   if (!simulation.supports.empty())
     add_term(simulation.solid, support_term(simulation.solid, simulation.supports));

@@ -6,8 +6,8 @@
 #include "plumbline/boundary/supports.hpp"
 #include "plumbline/compatible/compatible.hpp"
 #include "plumbline/dissipation/jst.hpp"
+#include "plumbline/run/run.hpp"
 #include "plumbline/scene/scene.hpp"
-#include "plumbline/solid/run.hpp"
 
 namespace plumb {
 

@@ -61,8 +61,8 @@ Study parse_study(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides, const std::vector<std::string>& solutions) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name : {"study", "expect", "body", "material", "method", "compatible", "jst", "hourglass"})
-    root.has(name);
+  for (const char* name : {"study", "expect", "body", "material"}) root.has(name);
+  for (const char* name : method_sections) root.has(name);
   if (!root.has("study") && root.has("scene"))
     root.fail("scene", "this file is a scene", "a study has [study]", "plumb run is for scenes");
   root.reject_unknown();
@@ -82,8 +82,6 @@ Study parse_study(const std::string& text, const std::string& file_name,
   study.body = read_body(root.section("body"), 0, false);
   study.material = read_material(root.section("material"));
   study.method = read_method(root);
-  study.jst = read_jst(root);
-  study.hourglass = read_hourglass(root);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);
   return study;

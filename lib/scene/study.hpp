@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/input/scene_error.hpp"
 #include "plumbline/scene/scene.hpp"
-#include "plumbline/scene/scene_error.hpp"
 
 namespace plumb {
 
@@ -32,8 +32,6 @@ struct Study {
   Body body;                                 ///< without spacing: use with_spacing(body, d)
   MaterialChoice material;
   Method method;
-  std::optional<Jst> jst;
-  std::optional<Hourglass> hourglass;
 
   int dimension() const { return static_cast<int>(body.size.size()); }
 };

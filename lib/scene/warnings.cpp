@@ -95,7 +95,7 @@ Texts wide_kernel_warnings(const Scene& scene, double radius_over_spacing) {
         width +
         ", where the symmetrised force lets motion grow at any time step (a free cube of 5^3: by 0.044 "
         "c_p/d at R = 2 d, 0.087 at 2.4 d, 0.009 at 1.8 d); use a smaller beta or momentum = \"adjoint\""};
-  if (symmetrised && !scene.jst)
+  if (symmetrised && !scene.method.jst)
     return {
         "momentum = \"symmetrised\" without [jst]: near free faces motion grows at any time step and nothing "
         "damps it (THEORY chapter 9); use momentum = \"adjoint\", or plumb spectrum to see how fast"};
@@ -113,7 +113,7 @@ Texts jst_step_warnings(const Scene& scene, const FirstStep& step, double limit)
     return {
         fmt::format("time_step = {:g} s is {:.3g} times what JST bears: eta4 = {:g} needs {:.6g} s or less "
                     "(THEORY (6.5), damping limit {:g}), or the run blows up",
-                    step.dt, step.dt / limit, scene.jst->eta4, limit, step.damping)};
+                    step.dt, step.dt / limit, scene.method.jst->eta4, limit, step.damping)};
   if (!scene.method.time_step && step.dt > limit * (1 - rounding))
     return {
         fmt::format("JST limits the time step to {:.6g} s, {:.3g} of what cfl = {:g} asks for (eta4 beta^3 "
@@ -173,7 +173,7 @@ Texts warnings_of(const Scene& scene, const Solid<d>& solid, const FirstStep& st
   const auto add = [&all](const Texts& more) { all.insert(all.end(), more.begin(), more.end()); };
   const double R = kernel_named<d>(scene.method.kernel).support * solid.smoothing_length;
   add(wide_kernel_warnings(scene, R / solid.cloud.spacing));
-  if (scene.jst && scene.jst->eta4 > 0) add(jst_step_warnings(scene, step, solid.step_limit));
+  if (scene.method.jst && scene.method.jst->eta4 > 0) add(jst_step_warnings(scene, step, solid.step_limit));
   add(lattice_distance_warnings<d>(solid.cloud, R, scene.method.beta));
   add(aliasing_warnings<d>(scene, solid.cloud));
   return all;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plumbline/gradient/each_bond.hpp"
+
 namespace plumb {
 namespace {
 
@@ -12,34 +14,6 @@ std::vector<Index> particle_of_slot(const Solid<d>& solid) {
   std::vector<Index> particle(solid.bonds.slots.count(), -1);
   for (Index i = 0; i < solid.cloud.size(); ++i) particle[solid.bonds.slots.of(i)] = i;
   return particle;
-}
-
-/// Calls use(j, constants of the bond) for every bond of the particle in this slot; `table` has d doubles per
-/// bond and lane.
-template <int d, class Use>
-void for_each_bond(const BondTable<d>& t, const AlignedVector& table, Index slot, Use&& use) {
-  const Index row = t.row[slot / t.width], lane = slot % t.width;
-  for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
-    Vec<d> X, c;
-    for (int k = 0; k < d; ++k) {
-      X[k] = t.separation[(n * d + k) * t.width + lane];
-      c[k] = table[(n * d + k) * t.width + lane];
-    }
-    if (X.squaredNorm() > 0) use(slot + t.offset[n], c);
-  }
-}
-
-/// The same for bonds to images: use(j, signs of the reflection, constants).
-template <int d, class Use>
-void for_each_image(const BondTable<d>& t, AlignedVector MirrorBonds<d>::*table, Index slot, Use&& use) {
-  if (!t.mirror) return;
-  const MirrorBonds<d>& m = *t.mirror;
-  const Index row = t.row[slot / t.width], lane = slot % t.width;
-  for (std::int64_t n = m.begin[row]; n < m.begin[row + 1]; ++n) {
-    Vec<d> c;
-    for (int k = 0; k < d; ++k) c[k] = (m.*table)[(n * d + k) * t.width + lane];
-    if (c.squaredNorm() > 0) use(slot + m.offset[n], m.signs[n], c);
-  }
 }
 
 template <int d>
@@ -61,11 +35,13 @@ SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& 
       sum += c;
     };
     const Index own = solid.bonds.slots.of(i);
-    for_each_bond<d>(solid.bonds, solid.bonds.stencil, own,
-                     [&](Index slot, const Vec<d>& c) { put(particle[slot], c); });
-    for_each_image<d>(
-        solid.bonds, &MirrorBonds<d>::stencil, own,
-        [&](Index slot, const Vec<d>& signs, const Vec<d>& c) { put(particle[slot], c, signs); });
+    for_each_bond(solid.bonds, own, [&](const BondEntry<d>& bond, const Vec<d>&) {
+      put(particle[bond.other], bond.vector(solid.bonds.stencil));
+    });
+    for_each_image(solid.bonds, own, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
+      const Vec<d> c = bond.vector(solid.bonds.mirror->stencil);
+      if (c.squaredNorm() > 0) put(particle[bond.other], c, signs);
+    });
     put(i, -sum);
   }
   return built<d>(d * d * solid.cloud.size(), d * solid.cloud.size(), entries);
@@ -80,10 +56,7 @@ SparseMatrix tangent_operator(const Solid<d>& solid) {
   Mat<d> F_last = Mat<d>::Zero();
   Tangent<d> tangent;
   for (Index i = 0; i < solid.cloud.size(); ++i) {
-    const Index slot = t.slots.of(i), row = t.row[slot / t.width], lane = slot % t.width;
-    Mat<d> F;
-    for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b) F(a, b) = t.identity[((row * d + a) * d + b) * t.width + lane];
+    const Mat<d> F = estimated_identity(t, t.slots.of(i));
     // round-off of the table must not make a tangent per particle
     if ((F - F_last).cwiseAbs().maxCoeff() > 1e-12) tangent = solid.sweeps.tangent(F_last = F);
     for (int m = 0; m < d * d; ++m)
@@ -110,11 +83,13 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
     if (t.mirror)
       for (int k = 0; k < d; ++k) own[k] += t.mirror->own_force[(row * d + k) * t.width + lane];
     put(i, own);
-    for_each_bond<d>(t, t.force_weights(), slot,
-                     [&](Index other, const Vec<d>& a) { put(particle[other], a); });
-    for_each_image<d>(
-        t, &MirrorBonds<d>::force, slot,
-        [&](Index other, const Vec<d>& signs, const Vec<d>& a) { put(particle[other], a, signs); });
+    for_each_bond(t, slot, [&](const BondEntry<d>& bond, const Vec<d>&) {
+      put(particle[bond.other], bond.vector(t.force_weights()));
+    });
+    for_each_image(t, slot, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
+      const Vec<d> a = bond.vector(t.mirror->force);
+      if (a.squaredNorm() > 0) put(particle[bond.other], a, signs);
+    });
   }
   return built<d>(d * solid.cloud.size(), d * d * solid.cloud.size(), entries);
 }

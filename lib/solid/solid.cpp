@@ -1,7 +1,7 @@
 #include "plumbline/solid/solid.hpp"
 
-#include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/catalogue.hpp"
+#include "plumbline/solid/kinematics.hpp"
 #include "plumbline/solid/make_sweeps.hpp"
 #include "plumbline/solid/mirror.hpp"
 
@@ -35,8 +35,7 @@ Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& el
 template <int d>
 void add_term(Solid<d>& solid, Term<d> term) {
   if (term.needs_F && solid.F.components() == 0) solid.F = solid.make_field(d * d);
-  if ((term.needs_state || term.whole) && solid.stored_force.components() == 0)
-    solid.stored_force = solid.make_field(d);
+  if (term.whole && solid.stored_force.components() == 0) solid.stored_force = solid.make_field(d);
   solid.terms.push_back(std::move(term));
 }
 

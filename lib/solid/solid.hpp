@@ -41,15 +41,14 @@ struct Term {
   /// Adds to the stress of the block's own slots, after the material has set it: what is carried by the same
   /// bonds as the stress costs no second gather.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, StressWindow& P)> stress;
-  /// Adds to the force per unit reference volume; may read the term's own arrays, and the state only if
-  /// needs_state.
+  /// Adds to the force per unit reference volume; may read the term's own arrays, and of the state the
+  /// block's own slots.
   std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
   /// Changes the forces of all slots at once, when they are known up to this term; at most one term has it.
   /// Forces are stored, and terms behind it may not read the state of other slots.
   std::function<void(const Solid<d>&, const State<d>&, const Arm<d>&, Field& force)> whole;
-  bool needs_state = false;  ///< `second` reads the state of other slots: forces are stored before the update
-  bool needs_F = false;      ///< the deformation gradient is stored
-  bool internal = false;     ///< its force belongs to the strain energy, with the internal force
+  bool needs_F = false;   ///< the deformation gradient is stored
+  bool internal = false;  ///< its force belongs to the strain energy, with the internal force
   /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
   std::function<double(const Solid<d>&, const State<d>&)> energy;
   /// Adds -dforce/du x volume at the reference state (linearise.hpp); empty: the term has no stiffness.
@@ -93,7 +92,7 @@ struct Solid {
   std::vector<Term<d>> terms;
   StressWindow P;        ///< first Piola-Kirchhoff stress, as far as forces have still to read it
   Field F;               ///< deformation gradient; empty unless a term needs it
-  Field stored_force;    ///< [N/m^d]; empty unless a term needs the state
+  Field stored_force;    ///< [N/m^d]; empty unless a term changes the forces as a whole
   AlignedVector volume;  ///< per slot [m^d]; 0 for empty slots
   double step_limit = std::numeric_limits<double>::max();  ///< other than CFL [s] (JST)
   Work work;

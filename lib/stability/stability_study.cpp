@@ -5,8 +5,8 @@
 #include <array>
 #include <filesystem>
 
+#include "plumbline/input/section.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/section.hpp"
 
 namespace plumb {
 namespace {

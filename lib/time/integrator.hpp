@@ -26,6 +26,23 @@ concept Integrator = std::constructible_from < S,
   { S::vectors_moved } -> std::convertible_to<int>;
 };
 
+/// Holds the bounds of lambda dt up to which an integrator bears a damped motion (negative real lambda) and
+/// an undamped one (imaginary lambda).
+struct StabilityLimits {
+  double real_axis;
+  double imaginary_axis;
+};
+
+/// Finds the limits of the integrator of that name. InputError names the nearest valid one.
+inline StabilityLimits stability_limits(std::string_view integrator) {
+  StabilityLimits limits{};
+  const bool known = with_named(IntegratorCatalogue{}, integrator, [&]<class T>(Type<T>) {
+    limits = {T::real_axis, T::imaginary_axis};
+  });
+  if (!known) throw unknown_name("integrator", integrator, names_of(IntegratorCatalogue{}));
+  return limits;
+}
+
 /// An integrator chosen at run time.
 template <int d>
 struct Stepper {

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/gradient/each_bond.hpp"
+#include "plumbline/solid/kinematics.hpp"
 #include "plumbline/time/closest_pairs.hpp"
 
 namespace plumb {
@@ -52,16 +53,12 @@ double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed spe
   const BondTable<d>& t = solid.bonds;
 #pragma omp parallel for schedule(static) reduction(min : least)
   for (Index p = 0; p < solid.cloud.size(); ++p) {
-    const Index i = t.slots.of(p), row = t.row[i / t.width], lane = i % t.width;
-    for (std::int64_t n = t.begin[row]; n < t.begin[row + 1]; ++n) {
-      Vec<d> x;
-      for (int k = 0; k < d; ++k) x[k] = t.separation[(n * d + k) * t.width + lane];
-      if (x.squaredNorm() == 0) continue;  // this lane has no such neighbour
-      const Index j = i + t.offset[n];
-      x += vector_at<d>(state.u, j) - vector_at<d>(state.u, i);
-      const double mean = 0.5 * (stretch[i] + stretch[j]);
+    const Index i = t.slots.of(p);
+    for_each_bond(t, i, [&](const BondEntry<d>& bond, const Vec<d>& X) {
+      const Vec<d> x = X + (vector_at<d>(state.u, bond.other) - vector_at<d>(state.u, i));
+      const double mean = 0.5 * (stretch[i] + stretch[bond.other]);
       least = std::min(least, x.norm() / (speed == WaveSpeed::stretch ? c * mean : c / mean));
-    }
+    });
   }
   return least;
 }

@@ -5,9 +5,9 @@
 
 #include "oned/field.hpp"
 #include "plumbline/core/error.hpp"
-#include "plumbline/output/checkpoint.hpp"
+#include "plumbline/input/expression.hpp"
 #include "plumbline/output/sealed.hpp"
-#include "plumbline/scene/expression.hpp"
+#include "plumbline/run/checkpoint.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/study.hpp"
 
@@ -33,7 +33,7 @@ inline void material_and_method(const MaterialChoice& m, const Method& method) {
   for (const auto& step : {method.cfl, method.time_step}) promise(!step || good(*step), "size of the step");
 }
 
-inline void terms(const std::optional<Jst>& jst, const std::optional<Hourglass>& hourglass) {
+inline void terms(const std::optional<JstOptions>& jst, const std::optional<HourglassOptions>& hourglass) {
   if (jst)
     for (const double value : {jst->eta2, jst->eta4, jst->laplacian_factor})
       promise(std::isfinite(value) && value >= 0, "dissipation");
@@ -87,7 +87,7 @@ inline void scene(const std::string& bytes) {
   for (const double size : s.body.size) promise(good(size), "size");
   for (const double x : s.body.origin) promise(std::isfinite(x), "origin");
   material_and_method(s.material, s.method);
-  terms(s.jst, s.hourglass);
+  terms(s.method.jst, s.method.hourglass);
   motion(s);
   wanted_output(s);
 }
@@ -99,7 +99,7 @@ inline void study(const std::string& bytes) {
   for (const auto& time : {s.time, s.periods}) promise(!time || good(*time), "time");
   for (const auto& [name, value] : s.parameters) promise(std::isfinite(value), "a parameter");
   material_and_method(s.material, s.method);
-  terms(s.jst, s.hourglass);
+  terms(s.method.jst, s.method.hourglass);
 }
 
 inline void expression(const std::string& bytes) {

@@ -89,5 +89,47 @@ TYPED_TEST(IntegratorLaws, CountsItsEvaluations) {
   EXPECT_NEAR(state.time, 6e-6, 1e-18);
 }
 
+/// A force that makes every component follow y' = lambda y in its velocity (damping, lambda = -rate) or in
+/// displacement and velocity (an oscillator, lambda = i rate).
+Term<2> linear_force(double rate, bool oscillates) {
+  Term<2> term;
+  term.name = "linear force";
+  term.second = [rate, oscillates](const Solid<2>& solid, const Block& block, const State<2>& state, double,
+                                   BlockForce<2>& force) {
+    const double rho = solid.elastic.density;
+    for (int k = 0; k < 2; ++k)
+      for (Index i = block.begin(); i < block.end(); ++i)
+        force(k, i) -= oscillates ? rho * rate * rate * state.u[k][i] : rho * rate * state.v[k][i];
+  };
+  return term;
+}
+
+/// Whether the motion grows without bound at lambda dt of this size. The step is so short that the body's own
+/// stiffness adds 1e-6 of that.
+template <class T>
+bool grows(double lambda_dt, bool oscillates) {
+  constexpr double dt = 1e-9;
+  Solid<2> solid = testing::rubber_block<2>(4, Layout::node, 0);
+  add_term(solid, linear_force(lambda_dt / dt, oscillates));
+  State<2> state = make_state(solid);
+  const Index probe = solid.bonds.slots.of(5);
+  state.v[0][probe] = 1e-6;
+  typename T::template Stepper<2> stepper(solid);
+  for (int step = 0; step < 400; ++step)
+    if (!stepper.step(solid, state, dt)) return true;
+  const double speed = std::abs(state.v[0][probe]), position = std::abs(state.u[0][probe]) * lambda_dt / dt;
+  // a bounded oscillation near its limit has at most 1/sqrt(1 - 0.98^2) = 5 times its first amplitude
+  return speed > 1e-4 || (oscillates && position > 1e-4);
+}
+
+// 2 % on either side: 400 steps then make at least 500 times of a growing motion
+TYPED_TEST(IntegratorLaws, StabilityLimitsAreThoseOfTheTestEquation) {
+  const StabilityLimits limits = stability_limits(TypeParam::name);
+  EXPECT_FALSE(grows<TypeParam>(0.98 * limits.real_axis, false));
+  EXPECT_TRUE(grows<TypeParam>(1.02 * limits.real_axis, false));
+  EXPECT_FALSE(grows<TypeParam>(0.98 * limits.imaginary_axis, true));
+  EXPECT_TRUE(grows<TypeParam>(1.02 * limits.imaginary_axis, true));
+}
+
 }  // namespace
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "places.hpp"
-#include "plumbline/output/checkpoint.hpp"
+#include "plumbline/run/checkpoint.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -10,7 +10,7 @@
 
 #include "plumbline/diagnostics/budget.hpp"
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "plumbline/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 

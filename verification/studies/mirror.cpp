@@ -5,7 +5,7 @@
 
 #include "plumbline/diagnostics/budget.hpp"
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;

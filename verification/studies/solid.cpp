@@ -7,7 +7,7 @@
 
 #include "plumbline/boundary/supports.hpp"
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;

@@ -35,7 +35,7 @@ Scene paper_cube(double eta4) {
   Scene scene = block(3, 4, 0.495);
   scene.method.gradient = "standard";
   scene.method.momentum = "symmetrised";
-  if (eta4 > 0) scene.jst = Jst{0, eta4};
+  if (eta4 > 0) scene.method.jst = JstOptions{0, eta4};
   return scene;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace plumb {
 /// in time). THEORY (7.1).
 struct SspRk3 {
   static constexpr std::string_view name = "rk3";
+  /// Bounds of lambda dt for y' = lambda y on the negative real and on the imaginary axis, THEORY (6.5),
+  /// (9.3).
+  static constexpr double real_axis = 2.51;
+  static constexpr double imaginary_axis = std::numbers::sqrt3;
 
   template <int d>
   class Stepper {

@@ -12,6 +12,10 @@ namespace plumb {
 /// symplectic for a constant step and a force that derives from an energy. THEORY (7.2).
 struct Verlet {
   static constexpr std::string_view name = "verlet";
+  /// Bounds of lambda dt: on the negative real axis of a force that is read at the velocity before the kick,
+  /// on the imaginary axis of an oscillator, THEORY (6.5), (9.3).
+  static constexpr double real_axis = 2;
+  static constexpr double imaginary_axis = 2;
 
   template <int d>
   class Stepper {

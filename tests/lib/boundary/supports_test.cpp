@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

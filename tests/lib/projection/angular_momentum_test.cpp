@@ -11,7 +11,7 @@
 #include "plumbline/diagnostics/in_space.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/dissipation/jst.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

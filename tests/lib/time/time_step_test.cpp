@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "plumbline/run/run.hpp"
 #include "plumbline/solid/evaluate.hpp"
-#include "plumbline/solid/run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

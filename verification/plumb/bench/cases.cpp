@@ -9,8 +9,8 @@
 #include <ctime>
 
 #include "plumb/run/inventory.hpp"
+#include "plumbline/run/traffic.hpp"
 #include "plumbline/scene/simulation.hpp"
-#include "plumbline/solid/traffic.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -36,10 +36,10 @@ constexpr std::array<Scheme, 7> schemes = {{
      [](Scene& scene) {
        scene.method.momentum = "symmetrised";
        scene.method.integrator = "rk3";
-       scene.jst = Jst{};
+       scene.method.jst = JstOptions{};
      }},
     {"adjoint-rk3", false, [](Scene& scene) { scene.method.integrator = "rk3"; }},
-    {"adjoint-verlet-jst", false, [](Scene& scene) { scene.jst = Jst{}; }},
+    {"adjoint-verlet-jst", false, [](Scene& scene) { scene.method.jst = JstOptions{}; }},
     {"symmetrised-verlet", false, [](Scene& scene) { scene.method.momentum = "symmetrised"; }},
     {"standard-verlet", false, [](Scene& scene) { scene.method.gradient = "standard"; }},
     {"compatible-verlet", false, [](Scene& scene) { scene.method.gradient = "compatible"; }},

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "plumbline/core/error.hpp"
-#include "plumbline/scene/section.hpp"
+#include "plumbline/input/section.hpp"
 
 namespace plumb::claims {
 namespace {

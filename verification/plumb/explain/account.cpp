@@ -147,16 +147,16 @@ std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simul
   all.push_back(correction_of(scene));
   all.push_back(gradient_of(scene));
   all.push_back(about("momentum", scene.method.momentum, "", "(5.1)"));
-  if (scene.jst)
+  if (scene.method.jst)
     all.push_back({"dissipation",
-                   fmt::format("JST with eta2 = {:g}, eta4 = {:g}, outer level {}", scene.jst->eta2,
-                               scene.jst->eta4, scene.jst->outer),
+                   fmt::format("JST with eta2 = {:g}, eta4 = {:g}, outer level {}", scene.method.jst->eta2,
+                               scene.method.jst->eta4, scene.method.jst->outer),
                    "THEORY (6.1), (6.4)"});
-  if (scene.hourglass && scene.hourglass->alpha > 0)
+  if (scene.method.hourglass)
     all.push_back({"hourglass",
-                   fmt::format("energy of alternating motion, alpha = {:g}", scene.hourglass->alpha),
+                   fmt::format("energy of alternating motion, alpha = {:g}", scene.method.hourglass->alpha),
                    "THEORY (12.1), (12.2)"});
-  if (scene.projection)
+  if (scene.method.projection)
     all.push_back({"projection", "the force loses its torque by the least change", "THEORY (5.4)-(5.6)"});
   all.push_back(about("integrator", std::string(simulation.stepper.name),
                       fmt::format("{} evaluation{} a step", simulation.stepper.evaluations_per_step,

@@ -99,12 +99,13 @@ Costs measure_costs(const Scene& scene) {
     const Measured changed = measured(other);
     costs.parts.push_back(compared(part, built, built ? as_it_is : changed, built ? changed : as_it_is));
   };
-  const bool dissipates = scene.jst.has_value();
+  const bool dissipates = scene.method.jst.has_value();
   compare("dissipation (jst)", dissipates,
-          [&](Scene& other) { other.jst = dissipates ? std::nullopt : std::optional(Jst{}); });
-  const bool resists = scene.hourglass && scene.hourglass->alpha > 0;
-  compare("hourglass energy", resists,
-          [&](Scene& other) { other.hourglass = resists ? std::nullopt : std::optional(Hourglass{}); });
+          [&](Scene& other) { other.method.jst = dissipates ? std::nullopt : std::optional(JstOptions{}); });
+  const bool resists = scene.method.hourglass.has_value();
+  compare("hourglass energy", resists, [&](Scene& other) {
+    other.method.hourglass = resists ? std::nullopt : std::optional(HourglassOptions{});
+  });
   if (scene.method.time_step) return costs;  // a fixed step asks for no wave speed
   const bool stretches = scene.method.wave_speed != "linear";
   compare("wave speed of the stretch", stretches,

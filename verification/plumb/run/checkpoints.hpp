@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "plumbline/output/checkpoint.hpp"
+#include "plumbline/run/checkpoint.hpp"
 #include "plumbline/scene/simulation.hpp"
 
 namespace plumb {

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "plumb/run/probe.hpp"
-#include "plumbline/output/checkpoint.hpp"
 #include "plumbline/output/particles.hpp"
 #include "plumbline/output/series.hpp"
+#include "plumbline/run/checkpoint.hpp"
 
 namespace plumb {
 

@@ -7,7 +7,7 @@
 
 #include "plumb/provenance.hpp"
 #include "plumb/session.hpp"
-#include "plumbline/scene/section.hpp"
+#include "plumbline/input/section.hpp"
 
 namespace plumb {
 

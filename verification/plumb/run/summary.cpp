@@ -7,7 +7,7 @@
 
 #include "plumb/run/inventory.hpp"
 #include "plumbline/output/progress.hpp"
-#include "plumbline/solid/traffic.hpp"
+#include "plumbline/run/traffic.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "plumbline/time/closest_pairs.hpp"
+#include "plumbline/time/default_cfl.hpp"
 #include "plumbline/time/integrator.hpp"
 #include "plumbline/time/time_step.hpp"
 
@@ -11,7 +12,7 @@ namespace plumb {
 
 /// How far and with which time steps.
 struct StepControl {
-  double cfl = 0.9;                  ///< alpha_CFL of (31)
+  double cfl = default_cfl;          ///< alpha_CFL of (31)
   std::optional<double> fixed_step;  ///< [s]; instead of cfl
   WaveSpeed wave_speed = WaveSpeed::linear;
   std::optional<double> end_time;  ///< [s]; the last step is cut to meet it

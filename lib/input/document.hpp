@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene_error.hpp"
+#include "plumbline/input/scene_error.hpp"
 
 namespace plumb {
 

@@ -1,5 +1,5 @@
 // A checkpoint gives back every bit, and a file with any fault is refused with a message.
-#include "plumbline/output/checkpoint.hpp"
+#include "plumbline/run/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plumbline/solid/traffic.hpp"
+#include "plumbline/run/traffic.hpp"
 
 namespace plumb {
 

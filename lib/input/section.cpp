@@ -1,4 +1,4 @@
-#include "plumbline/scene/section.hpp"
+#include "plumbline/input/section.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "plumbline/scene/expression.hpp"
+#include "plumbline/input/expression.hpp"
 
 #include <fmt/format.h>
 #include <muParser.h>

@@ -1,4 +1,4 @@
-#include "plumbline/scene/units.hpp"
+#include "plumbline/input/units.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 
 namespace plumb {
 

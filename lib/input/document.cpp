@@ -1,4 +1,4 @@
-#include "plumbline/scene/document.hpp"
+#include "plumbline/input/document.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

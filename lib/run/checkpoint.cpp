@@ -1,4 +1,4 @@
-#include "plumbline/output/checkpoint.hpp"
+#include "plumbline/run/checkpoint.hpp"
 
 #include <fmt/format.h>
 

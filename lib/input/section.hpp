@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/document.hpp"
-#include "plumbline/scene/expression.hpp"
-#include "plumbline/scene/units.hpp"
+#include "plumbline/input/document.hpp"
+#include "plumbline/input/expression.hpp"
+#include "plumbline/input/units.hpp"
 
 namespace plumb {
 

@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumb {
+
+class Section;
+
+/// Chooses the Jameson-Schmidt-Turkel dissipation of the momentum p = rho v (28):
+/// D = eta2 C h lap' p - eta4 C h^3 lap' (lap p), lap the corrected Laplacian (27). THEORY (6.1)-(6.4). It is
+/// the section [jst] of a scene or study; without the section nothing of it is built.
+struct JstOptions {
+  double eta2 = 0.0;         ///< second-order coefficient; 0: that term is not built
+  double eta4 = 1.0 / 64.0;  ///< fourth-order coefficient, the paper's for the columns
+  double laplacian_factor =
+      2.0;  ///< of phi = -factor W'/r; the paper's own Laplacian is probably half of it: 1
+  std::string outer = "symmetric";  ///< symmetric (28) | transpose: L^T V L, dissipative by construction
+};
+
+/// Lists the names of the outer level of (28).
+std::vector<std::string> outer_laplacian_names();
+
+/// Reads [jst]; nullopt without that section. Throws SceneError.
+std::optional<JstOptions> read_jst(const Section& root);
+
+}  // namespace plumb
