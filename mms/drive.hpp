@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mms/manufactured.hpp"
+#include "plumbline/actions/actions.hpp"
 #include "plumbline/geometry/layout.hpp"
 #include "plumbline/solid/solid.hpp"
 #include "plumbline/time/integrator.hpp"
@@ -17,15 +18,22 @@ struct DriveOptions {
   /// their own positions, in all components, and nothing else is prescribed. A width of two support radii
   /// leaves no free particle, and none whose stress it reads, with a cut support.
   std::optional<double> held_band = {};
+  /// Loads and prescribed accelerations see the time at which their step began in all stages: (30) as
+  /// printed.
+  bool loads_at_step_start = false;
 };
 
-/// Sets the exact displacement and velocity of the state's time, and adds to the solid, as its last term, the
-/// body force (if asked for), the tractions P N on faces where they are known, and the prescribed motion of
-/// components known on a face: their force becomes rho u_tt, and after each step of the returned stepper they
-/// have the exact u and u_t. Particles that belong to a face: those on it (node layout), or the first layer
-/// (cell layout), which then gets the values of the nearest point of the face, as a boundary condition there
-/// says. Rollers of a mirror layout prescribe nothing. Traction t acts on a particle as t A/V, A its share of
-/// the face. Boxes only; the circles of an annulus are left free unless there is a held band.
+/// Makes what drives a body along the solution: the body force (if asked for), the tractions P N on faces
+/// where they are known, and the prescribed motion of components known on a face. Particles that belong to a
+/// face: those on it (node layout), or the first layer (cell layout), which then gets the values of the
+/// nearest point of the face, as a boundary condition there says. Rollers of a mirror layout prescribe
+/// nothing. Boxes only; the circles of an annulus are left free unless there is a held band.
+template <int d>
+Actions<d> actions_of(const Solid<d>& solid, const Manufactured<d>& solution, const DriveOptions& options);
+
+/// Sets the exact displacement and velocity of the state's time and applies the actions that drive a body
+/// along the solution. Prescribed components have the force rho u_tt, and after each step of the returned
+/// stepper the exact u and u_t. Traction t acts on a particle as t A/V, A its share of the face.
 template <int d>
 Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
                  const DriveOptions& options);

@@ -165,11 +165,11 @@ Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution,
 
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
-                          bool body_force) {
+                          const Loading& loading) {
   DrivenBody<d> body{simulation_of<d>(study, solution, spacing), {}};
   Simulation<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
-                       {study.body.layout, body_force, study.held_band});
+                       {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
   return body;
 }
 
@@ -177,7 +177,7 @@ template <int d>
 LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
                       Sitting& sitting) {
   const std::clock_t begin = std::clock();
-  DrivenBody<d> body = driven_body(study, solution, spacing, body_force);
+  DrivenBody<d> body = driven_body(study, solution, spacing, {.body_force = body_force});
   Simulation<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
   LevelRun<d> out;
@@ -219,12 +219,12 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                   \
-  template Manufactured<d> solution_of<d>(const Study&);                                           \
-  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                           \
-  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);           \
-  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, bool);       \
-  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&); \
+#define PLUMBLINE_INSTANTIATE(d)                                                                       \
+  template Manufactured<d> solution_of<d>(const Study&);                                               \
+  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                               \
+  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);               \
+  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
+  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&);     \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -68,10 +68,16 @@ ExactField<d> exact_field(const Manufactured<d>& solution, double time);
 template <int d>
 Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
 
-/// The same, made to follow the solution.
+/// Says which loads drive a body.
+struct Loading {
+  bool body_force;  ///< the loads of finite strain; without them the body is that of the printed field
+  bool at_step_start = false;  ///< loads see the time at which their step began: (30) as printed
+};
+
+/// Makes the study's body with this spacing [m] follow the solution.
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
-                          bool body_force);
+                          const Loading& loading);
 
 /// Runs it to the end time, unless the sitting ends; norms are left to measure().
 template <int d>

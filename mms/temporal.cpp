@@ -15,21 +15,6 @@ namespace {
 constexpr int halvings = 5;
 constexpr std::string_view printed = "rk3, loads at t^n";
 
-/// Holds the time that the loads see at the start of each step: (30) as printed.
-template <int d>
-void freeze_loads(DrivenBody<d>& body) {
-  const auto start = std::make_shared<double>(0);
-  Term<d>& loads = body.simulation.solid.terms.back();
-  loads.second = [start, inner = loads.second](const Solid<d>& solid, const Block& block,
-                                               const State<d>& state, double, BlockForce<d>& force) {
-    inner(solid, block, state, *start, force);
-  };
-  body.stepper.step = [start, inner = body.stepper.step](Solid<d>& solid, State<d>& state, double dt) {
-    *start = state.time;
-    return inner(solid, state, dt);
-  };
-}
-
 template <int d>
 Sitting::Json json_of(const NodalValues<d>& values) {
   Sitting::Json numbers = Sitting::Json::array();
@@ -77,8 +62,8 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   study.method.cfl.reset();
   study.method.time_step = end_time(study) / static_cast<double>(steps);
   DrivenBody<d> body =
-      driven_body<d>(study, solution, study.spacings.front(), study.force == "finite-strain");
-  if (as_printed) freeze_loads(body);
+      driven_body<d>(study, solution, study.spacings.front(),
+                     {.body_force = study.force == "finite-strain", .at_step_start = as_printed});
   Simulation<d>& simulation = body.simulation;
   const auto make = [&] {
     const Pace<d> pace(sitting, simulation);

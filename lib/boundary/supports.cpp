@@ -1,7 +1,6 @@
 #include "plumbline/boundary/supports.hpp"
 
 #include <algorithm>
-#include <memory>
 
 namespace plumb {
 
@@ -24,41 +23,42 @@ std::vector<Index> particles_where(const Cloud<d>& cloud,
 }
 
 template <int d>
-Term<d> support_term(const Solid<d>& solid, std::vector<Support<d>> supports) {
-  struct Entry {
-    Index slot;
-    int component;
-    bool operator<(const Entry& other) const {
-      return slot != other.slot ? slot < other.slot : component < other.component;
+Actions<d> holding(const Cloud<d>& cloud, const std::vector<Support<d>>& supports) {
+  Actions<d> actions;
+  for (const Support<d>& support : supports) {
+    const double velocity = support.velocity;
+    auto held = std::find_if(actions.held.begin(), actions.held.end(), [&](const Held<d>& other) {
+      return other.motion({}, 0, 0).velocity == velocity;
+    });
+    if (held == actions.held.end()) {
+      const auto constant = [velocity](const Vec<d>&, int, double) -> HeldMotion {
+        return {{}, velocity, 0};
+      };
+      held = actions.held.insert(held, {"supports", {}, constant, true});
     }
-  };
-  auto entries = std::make_shared<std::vector<Entry>>();
-  entries->reserve(supports.size());
-  for (const auto& s : supports) entries->push_back({solid.bonds.slots.of(s.particle), s.component});
-  std::sort(entries->begin(), entries->end());
-  Term<d> term;
-  term.name = "supports";
-  term.bytes = entries->size() * sizeof(Entry);
-  term.second = [entries](const Solid<d>&, const Block& block, const State<d>&, double,
-                          BlockForce<d>& force) {
-    auto at = std::lower_bound(entries->begin(), entries->end(), Entry{block.begin(), 0});
-    for (; at != entries->end() && at->slot < block.end(); ++at) force(at->component, at->slot) = 0;
-  };
-  return term;
+    held->places.push_back({support.particle, support.component, cloud.X[support.particle]});
+  }
+  return actions;
 }
 
 template <int d>
-void impose(const Solid<d>& solid, const std::vector<Support<d>>& supports, State<d>& state) {
-  for (const auto& s : supports) state.v[s.component][solid.bonds.slots.of(s.particle)] = s.velocity;
+std::vector<Support<d>> supports_of(const Actions<d>& actions) {
+  std::vector<Support<d>> supports;
+  supports.reserve(held_components(actions));
+  for (const auto& held : actions.held)
+    for (const auto& place : held.places)
+      supports.push_back(
+          {place.particle, place.component, held.motion(place.at, place.component, 0).velocity});
+  return supports;
 }
 
 template std::vector<Index> particles_on_face<2>(const Cloud<2>&, int, bool, Layout);
 template std::vector<Index> particles_on_face<3>(const Cloud<3>&, int, bool, Layout);
 template std::vector<Index> particles_where<2>(const Cloud<2>&, const std::function<bool(const Vec<2>&)>&);
 template std::vector<Index> particles_where<3>(const Cloud<3>&, const std::function<bool(const Vec<3>&)>&);
-template Term<2> support_term<2>(const Solid<2>&, std::vector<Support<2>>);
-template Term<3> support_term<3>(const Solid<3>&, std::vector<Support<3>>);
-template void impose<2>(const Solid<2>&, const std::vector<Support<2>>&, State<2>&);
-template void impose<3>(const Solid<3>&, const std::vector<Support<3>>&, State<3>&);
+template Actions<2> holding<2>(const Cloud<2>&, const std::vector<Support<2>>&);
+template Actions<3> holding<3>(const Cloud<3>&, const std::vector<Support<3>>&);
+template std::vector<Support<2>> supports_of<2>(const Actions<2>&);
+template std::vector<Support<3>> supports_of<3>(const Actions<3>&);
 
 }  // namespace plumb

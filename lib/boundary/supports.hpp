@@ -2,13 +2,13 @@
 #include <functional>
 #include <vector>
 
+#include "plumbline/actions/actions.hpp"
 #include "plumbline/geometry/layout.hpp"
 #include "plumbline/solid/solid.hpp"
 
 namespace plumb {
 
-/// One component of one particle whose motion is prescribed: x = X + V t with constant velocity V, imposed
-/// strongly.
+/// Names one component of one particle whose motion is prescribed, with its velocity at the start.
 template <int d>
 struct Support {
   Index particle;
@@ -26,13 +26,12 @@ template <int d>
 std::vector<Index> particles_where(const Cloud<d>& cloud,
                                    const std::function<bool(const Vec<d>&)>& predicate);
 
-/// The term that takes the force off supported components. Must be the last term. Later supports of the same
-/// component win.
+/// Makes the action that holds these components at their constant velocities.
 template <int d>
-Term<d> support_term(const Solid<d>& solid, std::vector<Support<d>> supports);
+Actions<d> holding(const Cloud<d>& cloud, const std::vector<Support<d>>& supports);
 
-/// Gives supported components their velocity in the state (at the start of a run).
+/// Lists the held components of all boundaries with their velocities at the start.
 template <int d>
-void impose(const Solid<d>& solid, const std::vector<Support<d>>& supports, State<d>& state);
+std::vector<Support<d>> supports_of(const Actions<d>& actions);
 
 }  // namespace plumb

@@ -1,17 +1,30 @@
 #include "plumbline/hourglass/hourglass_options.hpp"
 
+#include <fmt/format.h>
+
+#include "plumbline/hourglass/hourglass.hpp"
 #include "plumbline/input/section.hpp"
+#include "plumbline/solid/part_site.hpp"
 
 namespace plumb {
 
-std::optional<HourglassOptions> read_hourglass(const Section& root) {
-  const auto section = root.optional_section("hourglass");
-  if (!section) return std::nullopt;
+std::optional<HourglassOptions> HourglassOptions::read(const Section& section) {
   HourglassOptions hourglass;
-  hourglass.alpha = section->number_or("alpha", hourglass.alpha, quantity::number, Sign::not_negative);
-  section->reject_unknown();
+  hourglass.alpha = section.number_or("alpha", hourglass.alpha, quantity::number, Sign::not_negative);
   if (hourglass.alpha == 0) return std::nullopt;
   return hourglass;
 }
+
+std::string HourglassOptions::in_words() const {
+  return fmt::format("energy of alternating motion, alpha = {:g}", alpha);
+}
+
+template <int d>
+void HourglassOptions::add_to(PartSite<d>& site) const {
+  add_term(site.solid, hourglass_term(site.solid, site.kernel, alpha));
+}
+
+template void HourglassOptions::add_to(PartSite<2>&) const;
+template void HourglassOptions::add_to(PartSite<3>&) const;
 
 }  // namespace plumb

@@ -1,18 +1,30 @@
 #pragma once
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace plumb {
 
 class Section;
+template <int d>
+struct PartSite;
 
 /// Chooses the hourglass energy, THEORY (12.1). It is the section [hourglass] of a scene or study; without
 /// the section nothing of it is built.
 struct HourglassOptions {
+  static constexpr std::string_view section = "hourglass", subject = "hourglass",
+                                    theory = "THEORY (12.1), (12.2)";
+
   double alpha =
       0.5;  ///< dimensionless; the larger, the less alternating motion and the stiffer a coarse bend
-};
 
-/// Reads [hourglass]; nullopt without that section, or if alpha is 0. Throws SceneError.
-std::optional<HourglassOptions> read_hourglass(const Section& root);
+  /// Reads the section; nullopt if alpha is 0. Throws SceneError.
+  static std::optional<HourglassOptions> read(const Section& section);
+  /// Says for a reader what it is set to.
+  std::string in_words() const;
+  /// Adds the term.
+  template <int d>
+  void add_to(PartSite<d>& site) const;
+};
 
 }  // namespace plumb

@@ -17,7 +17,9 @@ namespace plumb {
 struct Expression::Compiled {
   std::string text, where;
   int dimension = 3;
+  bool uses_time = false;
   mutable std::array<double, 3> X{};
+  mutable double time = 0;
   mutable mu::Parser parser;
   mutable std::mutex in_use;
 
@@ -26,14 +28,16 @@ struct Expression::Compiled {
 
 namespace {
 
-constexpr std::array<const char*, 3> variables{"X", "Y", "Z"};
+constexpr std::array<const char*, 3> coordinates{"X", "Y", "Z"};
 
-std::string known_variables(int dimension) {
-  return dimension == 1 ? "X" : dimension == 2 ? "X, Y" : "X, Y, Z";
+std::string known_variables(int dimension, Variables variables) {
+  const std::string space = dimension == 1 ? "X" : dimension == 2 ? "X, Y" : "X, Y, Z";
+  return variables == Variables::space ? space : space + ", t";
 }
 
 std::string suggestion_for(const std::string& name, int dimension, const mu::Parser& parser) {
   if (name == "x" || name == "y" || name == "z") return "capital letters stand for the reference coordinates";
+  if (name == "t") return "this formula does not change in time";
   if (name == "Z" || name == "Y") return fmt::format("the dimension is {}", dimension);
   std::vector<std::string> known;
   for (const auto& entry : parser.GetVar()) known.push_back(entry.first);
@@ -52,7 +56,8 @@ std::string token_at(const std::string& text, std::size_t position) {
 }
 
 InputError syntax_error(const std::string& prefix, const std::string& text, int dimension,
-                        const mu::Parser& parser, const mu::Parser::exception_type& error) {
+                        Variables variables, const mu::Parser& parser,
+                        const mu::Parser::exception_type& error) {
   const std::string in = fmt::format("{}in \"{}\"", prefix, text);
   if (error.GetCode() == mu::ecEMPTY_EXPRESSION)
     return {in + ": the formula is empty", "", "write \"0\" for zero"};
@@ -64,7 +69,7 @@ InputError syntax_error(const std::string& prefix, const std::string& text, int 
     const std::string problem =
         fmt::format("{} \"{}\" at position {}", is_name ? "unknown name" : "unexpected", token, position + 1);
     return {in + ": " + problem,
-            fmt::format("known: {}, pi and functions such as sin", known_variables(dimension)),
+            fmt::format("known: {}, pi and functions such as sin", known_variables(dimension, variables)),
             suggestion_for(token, dimension, parser)};
   }
   std::string message = error.GetMsg();
@@ -92,7 +97,7 @@ void refuse_assignment(const std::string& prefix, const std::string& text) {
 
 }  // namespace
 
-Expression::Expression(std::string text, int dimension, std::string where) {
+Expression::Expression(std::string text, int dimension, std::string where, Variables variables) {
   auto compiled = std::make_shared<Compiled>();
   compiled->text = std::move(text);
   compiled->where = std::move(where);
@@ -100,18 +105,20 @@ Expression::Expression(std::string text, int dimension, std::string where) {
   refuse_assignment(compiled->prefix(), compiled->text);
   mu::Parser& parser = compiled->parser;
   for (int k = 0; k < dimension; ++k)
-    parser.DefineVar(variables[static_cast<std::size_t>(k)], &compiled->X[static_cast<std::size_t>(k)]);
+    parser.DefineVar(coordinates[static_cast<std::size_t>(k)], &compiled->X[static_cast<std::size_t>(k)]);
+  if (variables == Variables::space_and_time) parser.DefineVar("t", &compiled->time);
   parser.DefineConst("pi", std::numbers::pi);
   int results = 0;
   try {
     parser.SetExpr(compiled->text);
     parser.Eval(results);
   } catch (const mu::Parser::exception_type& error) {
-    throw syntax_error(compiled->prefix(), compiled->text, dimension, parser, error);
+    throw syntax_error(compiled->prefix(), compiled->text, dimension, variables, parser, error);
   }
   if (results != 1)
     throw InputError(fmt::format("{}in \"{}\": {} values", compiled->prefix(), compiled->text, results),
                      "a formula has one", "write an array of formulas");
+  compiled->uses_time = parser.GetUsedVar().contains("t");
   compiled_ = std::move(compiled);
 }
 
@@ -119,20 +126,26 @@ Expression Expression::constant(double value) {
   return Expression(fmt::format("{:.17g}", value));
 }
 
-double Expression::at(const std::array<double, 3>& X) const {
+double Expression::at(const std::array<double, 3>& X, double time) const {
   double value = 0.0;
   {
     const std::lock_guard lock(compiled_->in_use);
     compiled_->X = X;
+    compiled_->time = time;
     value = compiled_->parser.Eval();
   }
   if (std::isfinite(value)) return value;
   std::string point;
   for (int k = 0; k < compiled_->dimension; ++k)
     point += fmt::format("{}{:.6g}", k ? ", " : "", X[static_cast<std::size_t>(k)]);
+  if (compiled_->uses_time) point += fmt::format(", t = {:.6g}", time);
   throw InputError(fmt::format("{}in \"{}\": the value at ({}) is {}", compiled_->prefix(), compiled_->text,
                                point, std::isnan(value) ? "not a number" : "infinite"),
                    "division by zero, or a function outside its domain", "change the formula there");
+}
+
+bool Expression::uses_time() const {
+  return compiled_->uses_time;
 }
 
 const std::string& Expression::text() const {

@@ -191,14 +191,14 @@ std::vector<std::string> Section::texts(const std::string& key) const {
 }
 
 Expression Section::as_formula(const TomlValue& value, const std::string& key, int dimension,
-                               const Quantity& expected) const {
+                               const Quantity& expected, Variables variables) const {
   if (!value.is(TomlValue::Kind::text) || looks_measured(value.text))
     return Expression::constant(as_number(value, key, expected, Sign::any));
   try {
-    return Expression(value.text, dimension, text_of(value.where) + ": " + dotted(key));
+    return Expression(value.text, dimension, text_of(value.where) + ": " + dotted(key), variables);
   } catch (const InputError&) {  // once more without the place, which SceneError adds
     try {
-      Expression(value.text, dimension);
+      Expression(value.text, dimension, "", variables);
     } catch (const InputError& error) {
       throw SceneError(value.where, dotted(key), error.problem(), error.why(), error.suggestion());
     }
@@ -206,15 +206,16 @@ Expression Section::as_formula(const TomlValue& value, const std::string& key, i
   }
 }
 
-Expression Section::formula(const std::string& key, int dimension, const Quantity& expected) const {
-  return as_formula(required(key), key, dimension, expected);
+Expression Section::formula(const std::string& key, int dimension, const Quantity& expected,
+                            Variables variables) const {
+  return as_formula(required(key), key, dimension, expected, variables);
 }
 
-std::vector<Expression> Section::formulas(const std::string& key, int dimension,
-                                          const Quantity& expected) const {
+std::vector<Expression> Section::formulas(const std::string& key, int dimension, const Quantity& expected,
+                                          Variables variables) const {
   std::vector<Expression> all;
   for (const auto& item : array(key, static_cast<std::size_t>(dimension), "formulas").items)
-    all.push_back(as_formula(item, key, dimension, expected));
+    all.push_back(as_formula(item, key, dimension, expected, variables));
   return all;
 }
 

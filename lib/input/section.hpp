@@ -49,10 +49,13 @@ class Section {
   std::vector<long> integers(const std::string& key, std::size_t count, long least) const;
   /// An array of strings, numbers taken as they are written (to 17 digits); at least one.
   std::vector<std::string> texts(const std::string& key) const;
-  /// One formula in X, Y, Z; a bare number and a number with a unit are constants.
-  Expression formula(const std::string& key, int dimension, const Quantity& expected) const;
+  /// One formula in X, Y, Z, and in t where it may change in time; a bare number and a number with a unit are
+  /// constants.
+  Expression formula(const std::string& key, int dimension, const Quantity& expected,
+                     Variables variables = Variables::space) const;
   /// An array of `dimension` of them.
-  std::vector<Expression> formulas(const std::string& key, int dimension, const Quantity& expected) const;
+  std::vector<Expression> formulas(const std::string& key, int dimension, const Quantity& expected,
+                                   Variables variables = Variables::space) const;
 
   /// A section within this one.
   Section section(const std::string& key) const;
@@ -78,7 +81,7 @@ class Section {
   double as_number(const TomlValue& value, const std::string& key, const Quantity& expected, Sign sign) const;
   long as_integer(const TomlValue& value, const std::string& key, long least) const;
   Expression as_formula(const TomlValue& value, const std::string& key, int dimension,
-                        const Quantity& expected) const;
+                        const Quantity& expected, Variables variables) const;
   const TomlValue& array(const std::string& key, std::size_t count, const std::string& of_what) const;
   [[noreturn]] void wrong_type(const TomlValue& value, const std::string& key, const std::string& expected,
                                const std::string& suggestion = "") const;

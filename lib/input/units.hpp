@@ -26,6 +26,9 @@ inline constexpr Quantity time{"a time", {0, 0, 1}, "s"};
 inline constexpr Quantity stress{"a stress", {1, -1, -2}, "Pa"};
 inline constexpr Quantity density{"a density", {1, -3, 0}, "kg/m^3"};
 inline constexpr Quantity velocity{"a velocity", {0, 1, -1}, "m/s"};
+inline constexpr Quantity acceleration{"an acceleration", {0, 1, -2}, "m/s^2"};
+inline constexpr Quantity force_per_volume{"a force per volume", {1, -2, -2}, "N/m^3"};
+inline constexpr Quantity rate{"a rate", {0, 0, -1}, "1/s"};
 inline constexpr Quantity angular_velocity{"an angular velocity", {0, 0, -1}, "rad/s"};
 }  // namespace quantity
 

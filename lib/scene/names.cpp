@@ -10,6 +10,20 @@
 #include "plumbline/time/catalogue.hpp"
 
 namespace plumb {
+namespace {
+
+struct NamedKind {
+  BoundaryKind kind;
+  std::string_view name;
+};
+constexpr std::array<NamedKind, 6> boundary_kinds{{{BoundaryKind::clamped, "clamped"},
+                                                   {BoundaryKind::roller, "roller"},
+                                                   {BoundaryKind::velocity, "velocity"},
+                                                   {BoundaryKind::displacement, "displacement"},
+                                                   {BoundaryKind::traction, "traction"},
+                                                   {BoundaryKind::pressure, "pressure"}}};
+
+}  // namespace
 
 std::vector<std::string> kernel_names() {
   return names_of(KernelCatalogue{});
@@ -49,7 +63,17 @@ std::vector<std::string> layout_names() {
   return {"cell", "node", "mirror"};
 }
 std::vector<std::string> boundary_kind_names() {
-  return {"clamped", "roller", "velocity"};
+  std::vector<std::string> names;
+  for (const auto& [kind, name] : boundary_kinds) names.emplace_back(name);
+  return names;
+}
+BoundaryKind boundary_kind_named(std::string_view wanted) {
+  for (const auto& [kind, name] : boundary_kinds)
+    if (name == wanted) return kind;
+  throw unknown_name("boundary kind", wanted, boundary_kind_names());
+}
+std::string_view name_of(BoundaryKind wanted) {
+  return std::ranges::find(boundary_kinds, wanted, &NamedKind::kind)->name;
 }
 
 std::vector<std::string> face_names(int dimension) {

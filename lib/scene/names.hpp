@@ -20,6 +20,9 @@ std::vector<std::string> material_names();
 std::vector<std::string> shape_names();
 std::vector<std::string> layout_names();
 std::vector<std::string> boundary_kind_names();
+/// InputError names the nearest valid name.
+BoundaryKind boundary_kind_named(std::string_view name);
+std::string_view name_of(BoundaryKind kind);
 std::vector<std::string> face_names(int dimension);
 
 }  // namespace plumb

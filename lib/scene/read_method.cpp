@@ -66,21 +66,24 @@ Method read_method_section(const Section& root) {
   return method;
 }
 
-/// True if there is a section [projection]. It has no keys.
-bool read_projection(const Section& root) {
-  const auto section = root.optional_section("projection");
-  if (section) section->reject_unknown();
-  return section.has_value();
-}
-
 }  // namespace
+
+std::vector<std::string> method_sections() {
+  std::vector<std::string> names{"method", "compatible"};
+  Method method;
+  for_each_part(method, [&]<class Part>(std::optional<Part>&) { names.emplace_back(Part::section); });
+  return names;
+}
 
 Method read_method(const Section& root) {
   Method method = read_method_section(root);
   method.compatible = read_compatible(root, method);
-  method.jst = read_jst(root);
-  method.hourglass = read_hourglass(root);
-  method.projection = read_projection(root);
+  for_each_part(method, [&]<class Part>(std::optional<Part>& part) {
+    const auto section = root.optional_section(std::string(Part::section));
+    if (!section) return;
+    part = Part::read(*section);
+    section->reject_unknown();
+  });
   return method;
 }
 

@@ -22,6 +22,28 @@ Face read_face(const Section& section, int dimension) {
   return {name[0] - 'x', name[1] == '-' ? -1 : +1};
 }
 
+/// The key that bears the name of the kind, and the ramp.
+void read_what_is_prescribed(const Section& section, int dimension, const std::string& kind,
+                             Boundary& boundary) {
+  const auto formulas = [&](const char* key, const Quantity& quantity) {
+    return section.formulas(key, dimension, quantity, Variables::space_and_time);
+  };
+  for (const char* key : {"velocity", "displacement", "traction", "pressure"})
+    if (section.has(key) && kind != key)
+      section.fail(key, fmt::format("contradicts kind = \"{}\"", kind),
+                   fmt::format("only kind = \"{}\" has one", key), "leave it out or change the kind");
+  if (boundary.kind == BoundaryKind::velocity) boundary.velocity = formulas("velocity", quantity::velocity);
+  if (boundary.kind == BoundaryKind::displacement)
+    boundary.displacement = formulas("displacement", quantity::length);
+  if (boundary.kind == BoundaryKind::traction) boundary.traction = formulas("traction", quantity::stress);
+  if (boundary.kind == BoundaryKind::pressure)
+    boundary.pressure = section.formula("pressure", dimension, quantity::stress, Variables::space_and_time);
+  boundary.ramp = section.optional_number("ramp", quantity::time, Sign::positive);
+  if (boundary.ramp && (kind == "clamped" || kind == "roller"))
+    section.fail("ramp", fmt::format("contradicts kind = \"{}\"", kind),
+                 "nothing is prescribed that could grow", "leave it out");
+}
+
 Boundary read_boundary(const Section& section, int dimension) {
   Boundary boundary;
   const bool on_face = section.has("face");
@@ -36,17 +58,11 @@ Boundary read_boundary(const Section& section, int dimension) {
   if (!section.has("kind"))
     section.fail("kind", "missing key", "it has no default", "valid: " + join(boundary_kind_names()));
   const std::string kind = section.choice_or("kind", "", boundary_kind_names());
-  boundary.kind = kind == "roller"     ? BoundaryKind::roller
-                  : kind == "velocity" ? BoundaryKind::velocity
-                                       : BoundaryKind::clamped;
+  boundary.kind = boundary_kind_named(kind);
   if (boundary.kind == BoundaryKind::roller && by_formula)
     section.fail("kind", "a roller needs a face", "a set of particles has no normal direction",
                  "use face instead of where");
-  if (section.has("velocity") && boundary.kind != BoundaryKind::velocity)
-    section.fail("velocity", fmt::format("contradicts kind = \"{}\"", kind),
-                 "only kind = \"velocity\" has one", "leave it out or change the kind");
-  if (boundary.kind == BoundaryKind::velocity)
-    boundary.velocity = section.formulas("velocity", dimension, quantity::velocity);
+  read_what_is_prescribed(section, dimension, kind, boundary);
   section.reject_unknown();
   return boundary;
 }
@@ -75,14 +91,16 @@ std::optional<Initial> read_initial(const Section& root, int dimension) {
   Initial initial;
   const bool formulas = section->has("velocity");
   const bool spins = section->has("spin");
+  const bool displaced = section->has("displacement");
+  if (displaced) initial.displacement = section->formulas("displacement", dimension, quantity::length);
   if (formulas) initial.velocity = section->formulas("velocity", dimension, quantity::velocity);
   if (spins) initial.spin = read_spin(*section, dimension);
   if (formulas && spins)
     section->fail("spin", "contradicts velocity", "the initial velocity is given by one of them",
                   "add the spin to the formulas");
   section->reject_unknown();
-  if (!formulas && !spins)
-    section->fail("", "missing key velocity or spin", "the section is there but sets nothing",
+  if (!formulas && !spins && !displaced)
+    section->fail("", "missing key velocity, spin or displacement", "the section is there but sets nothing",
                   "leave out [initial] for a body at rest");
   return initial;
 }
@@ -92,11 +110,12 @@ std::vector<Boundary> read_boundaries(const Section& root, int dimension) {
   for (const auto& section : root.sections("boundary")) {
     const Boundary boundary = read_boundary(section, dimension);
     const bool taken =
-        boundary.face && std::any_of(boundaries.begin(), boundaries.end(),
-                                     [&](const auto& other) { return other.face == boundary.face; });
+        boundary.face && std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& other) {
+          return other.face == boundary.face && is_load(other.kind) == is_load(boundary.kind);
+        });
     if (taken)
-      section.fail("face", "a second boundary on this face", "one face has one kind",
-                   "leave one of them out");
+      section.fail("face", "a second boundary on this face",
+                   "a face may be held in one way and loaded in one way", "leave one of them out");
     boundaries.push_back(boundary);
   }
   return boundaries;

@@ -38,8 +38,9 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name : {"scene", "body", "material", "initial", "boundary", "output"}) root.has(name);
-  for (const char* name : method_sections) root.has(name);
+  for (const char* name : {"scene", "body", "material", "load", "initial", "boundary", "output"})
+    root.has(name);
+  for (const auto& name : method_sections()) root.has(name);
   if (!root.has("scene") && root.has("study"))
     root.fail("study", "this file is a study", "a scene has [scene]", "plumb mms is for studies");
   root.reject_unknown();
@@ -61,6 +62,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.body = read_body(root.section("body"), scene.dimension, true);
   scene.material = read_material(root.section("material"));
   scene.method = read_method(root);
+  scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.output = read_output(root, scene.body);

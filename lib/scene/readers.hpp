@@ -1,5 +1,6 @@
 #pragma once
-#include <array>
+#include <string>
+#include <vector>
 
 #include "plumbline/input/section.hpp"
 #include "plumbline/scene/scene.hpp"
@@ -12,8 +13,8 @@ namespace plumb {
 /// (studies). `dimension` 0: as many as body.size has.
 Body read_body(const Section& section, int dimension, bool with_lattice);
 MaterialChoice read_material(const Section& section);
-/// The sections that read_method reads: [method] and those of its parts.
-inline constexpr std::array method_sections{"method", "compatible", "jst", "hourglass", "projection"};
+/// Lists the sections that read_method reads: [method] and those of its parts.
+std::vector<std::string> method_sections();
 /// Reads the scheme with its optional parts. Defaults if a section is absent.
 Method read_method(const Section& root);
 std::optional<Initial> read_initial(const Section& root, int dimension);

@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/actions/load_options.hpp"
+#include "plumbline/dissipation/damping.hpp"
 #include "plumbline/dissipation/jst_options.hpp"
 #include "plumbline/geometry/shape.hpp"
 #include "plumbline/hourglass/hourglass_options.hpp"
 #include "plumbline/input/expression.hpp"
+#include "plumbline/projection/projection_options.hpp"
 #include "plumbline/time/default_cfl.hpp"
 
 /// The scene file as plain values, in SI units. A section that is left out is a thing that is not built:
@@ -77,14 +80,26 @@ struct Method {
   std::optional<double> time_step;          ///< fixed [s]; nullopt if cfl is set
   std::string wave_speed =
       "linear";  ///< linear | stretch | stretch-inverse (32): linear costs nothing and is constant
-  std::optional<JstOptions> jst;              ///< [jst]; absent: no dissipation
-  std::optional<HourglassOptions> hourglass;  ///< [hourglass]; absent: no hourglass energy
-  bool projection = false;  ///< [projection], which has no keys: forces without torque (paper 003, (64)-(67))
+  std::optional<JstOptions> jst;                ///< absent: no dissipation
+  std::optional<HourglassOptions> hourglass;    ///< absent: no hourglass energy
+  std::optional<ProjectionOptions> projection;  ///< absent: the force may have a torque
+  std::optional<DampingOptions> damping;        ///< absent: no damping
 };
 
-/// [initial]: exactly one of the two is given.
+/// Calls use(part) for every optional part of a method, in the order in which their terms act. Readers,
+/// set-up and `plumb explain` know the parts from here only.
+template <class AnyMethod, class Use>
+void for_each_part(AnyMethod& method, Use&& use) {
+  use(method.jst);
+  use(method.hourglass);
+  use(method.projection);  // takes the torque off what stands before it
+  use(method.damping);
+}
+
+/// [initial]: at most one of velocity and spin is given.
 struct Initial {
-  std::vector<Expression> velocity;  ///< [m/s] in X, Y, Z; as many as the dimension, or empty
+  std::vector<Expression> displacement;  ///< [m] in X, Y, Z; as many as the dimension, or empty
+  std::vector<Expression> velocity;      ///< [m/s] in X, Y, Z; as many as the dimension, or empty
   std::optional<std::array<double, 3>>
       spin;  ///< angular velocity [rad/s] about the centre of mass; 2D: (0, 0, w)
 };
@@ -97,17 +112,29 @@ struct Face {
 };
 
 enum class BoundaryKind {
-  clamped,   ///< velocity zero
-  roller,    ///< normal velocity zero; faces only
-  velocity,  ///< velocity prescribed
+  clamped,       ///< velocity zero
+  roller,        ///< normal velocity zero; faces only
+  velocity,      ///< velocity prescribed
+  displacement,  ///< displacement prescribed
+  traction,      ///< loaded by a force per reference area, which keeps its direction
+  pressure,      ///< loaded by a pressure, which follows the surface
 };
+
+/// Says whether a boundary of this kind loads the body; otherwise it holds it.
+inline bool is_load(BoundaryKind kind) {
+  return kind == BoundaryKind::traction || kind == BoundaryKind::pressure;
+}
 
 /// [[boundary]]: exactly one of face and where is given.
 struct Boundary {
   std::optional<Face> face;
   std::optional<Expression> where;  ///< condition on X, Y, Z
   BoundaryKind kind = BoundaryKind::clamped;
-  std::vector<Expression> velocity;  ///< [m/s], kind velocity only: as many as the dimension
+  std::vector<Expression> velocity;  ///< [m/s] in X, Y, Z, t; kind velocity only: as many as the dimension
+  std::vector<Expression> displacement;  ///< [m], likewise
+  std::vector<Expression> traction;      ///< [Pa], likewise
+  std::optional<Expression> pressure;    ///< [Pa], positive into the body; kind pressure only
+  std::optional<double> ramp;            ///< [s]: what is prescribed grows smoothly from 0 in this time
 };
 
 /// [[output.probe]]: follows the particle nearest to a reference point.
@@ -136,7 +163,8 @@ struct Scene {
   Body body;
   MaterialChoice material;
   Method method;
-  std::optional<Initial> initial;  ///< absent: at rest
+  std::optional<LoadOptions> load;  ///< [load]; absent: no body forces
+  std::optional<Initial> initial;   ///< absent: at rest
   std::vector<Boundary> boundaries;
   std::optional<Output> output;  ///< absent: the summary only
 };

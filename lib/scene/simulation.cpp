@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumbline/boundary/apply_actions.hpp"
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/compatible/consistent_force.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/hourglass/hourglass.hpp"
-#include "plumbline/projection/angular_momentum.hpp"
-#include "plumbline/scene/supports_of_scene.hpp"
+#include "plumbline/scene/actions_of_scene.hpp"
 #include "plumbline/scene/warnings.hpp"
+#include "plumbline/solid/part_site.hpp"
 
 namespace plumb {
 namespace {
@@ -48,8 +48,13 @@ Vec<d> centre_of_mass(const Cloud<d>& cloud, const Body& body) {
 }
 
 template <int d>
-void set_initial_velocity(const Solid<d>& solid, const Scene& scene, State<d>& state) {
+void set_initial_state(const Solid<d>& solid, const Scene& scene, State<d>& state) {
   if (!scene.initial) return;
+  if (!scene.initial->displacement.empty())
+    for (Index i = 0; i < solid.cloud.size(); ++i)
+      set_vector<d>(state.u, solid.bonds.slots.of(i),
+                    evaluate_at<d>(scene.initial->displacement, solid.cloud.X[i]));
+  if (scene.initial->velocity.empty() && !scene.initial->spin) return;
   const Vec<d> centre = centre_of_mass(solid.cloud, scene.body);
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     const Vec<d>& X = solid.cloud.X[i];
@@ -85,8 +90,9 @@ StepControl step_control(const Scene& scene) {
   control.wave_speed = wave_speed_named(scene.method.wave_speed);
   control.end_time = scene.end_time;
   control.max_steps = scene.max_steps;
-  bool driven = false;
-  for (const auto& boundary : scene.boundaries) driven = driven || boundary.kind == BoundaryKind::velocity;
+  bool driven = scene.load.has_value();
+  for (const auto& boundary : scene.boundaries)
+    driven = driven || (boundary.kind != BoundaryKind::clamped && boundary.kind != BoundaryKind::roller);
   if (!driven && scene.initial) control.energy_bound = closed_energy_bound;
   return control;
 }
@@ -115,14 +121,8 @@ Surface<d> guess_surface(Cloud<d>& cloud) {
   return clipped_surface<d>(cloud, shape);
 }
 
-template <int d>
-void add_jst(Simulation<d>& simulation, const Scene& scene) {
-  const JstOptions& options = *scene.method.jst;
-  add_term(simulation.solid, jst_term(simulation.solid, options));
-  if (options.eta4 == 0) return;
-  simulation.solid.step_limit =
-      jst_step_limit(simulation.solid, options, stability_limits(scene.method.integrator).real_axis);
-}
+/// Of formulas in time, for a scene that ends by its number of steps [s].
+constexpr double default_time_scale = 1;
 
 /// Changes of an area vector beyond this [spacing^(d-1)] are larger than any area a particle has.
 constexpr double large_change = 3;
@@ -151,11 +151,10 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   const bool variational = scene.method.momentum == "variational";
   options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
   options.walls = walls_of(scene);
-  if (scene.method.jst) {
-    options.laplacian = true;
-    options.laplacian_factor = scene.method.jst->laplacian_factor;
-    options.outer_transpose = scene.method.jst->outer == "transpose";
-  }
+  for_each_part(scene.method, [&](const auto& part) {
+    if constexpr (requires { part->ask_for_weights(options); })
+      if (part) part->ask_for_weights(options);
+  });
   return options;
 }
 
@@ -189,15 +188,19 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
     warnings.push_back(large_change_text<d>(simulation.compatible->largest_change));
   simulation.state = make_state(simulation.solid);
   simulation.control = step_control(scene);
-  simulation.supports = supports_of_scene<d>(simulation.solid.cloud, scene);
-  set_initial_velocity(simulation.solid, scene, simulation.state);
-  impose(simulation.solid, simulation.supports, simulation.state);
-  if (scene.method.jst) add_jst(simulation, scene);
-  if (scene.method.hourglass)
-    add_term(simulation.solid,
-             hourglass_term(simulation.solid, options.kernel, scene.method.hourglass->alpha));
-  if (scene.method.projection) add_term(simulation.solid, angular_momentum_projection(simulation.solid));
-  refuse_contradictions<d>(simulation.solid.cloud, simulation.supports);
+  const auto facets = [&] {
+    return surface ? surface->facets : surface_of<d>(scene.body, simulation.solid.cloud).facets;
+  };
+  const double time_scale = scene.end_time.value_or(default_time_scale);
+  simulation.actions = actions_of_scene<d>(simulation.solid.cloud, scene, facets, time_scale);
+  simulation.supports = supports_of(simulation.actions);
+  set_initial_state(simulation.solid, scene, simulation.state);
+  impose(simulation.solid, simulation.actions, simulation.state);
+  PartSite<d> site{simulation.solid, options.kernel, stability_limits(scene.method.integrator).real_axis};
+  for_each_part(scene.method, [&](const auto& part) {
+    if (part) part->add_to(site);
+  });
+  refuse_contradictions<d>(simulation.solid.cloud, simulation.actions, time_scale);
   const double step = time_step(simulation.solid, simulation.state, simulation.control);
   require_progress(step, scene);
   simulation.warnings =
@@ -205,9 +208,9 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
                      {step, crossing_time(simulation.solid, simulation.state, simulation.control.wave_speed),
                       stability_limits(scene.method.integrator).real_axis});
   simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
-  if (!simulation.supports.empty())
-    add_term(simulation.solid, support_term(simulation.solid, simulation.supports));
-  simulation.stepper = stepper_named<d>(scene.method.integrator, simulation.solid);
+  apply_actions(simulation.solid, simulation.actions);
+  simulation.stepper =
+      with_prescribed_motion(stepper_named<d>(scene.method.integrator, simulation.solid), simulation.actions);
   return simulation;
 }
 

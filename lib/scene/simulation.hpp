@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/actions/actions.hpp"
 #include "plumbline/boundary/supports.hpp"
 #include "plumbline/compatible/compatible.hpp"
 #include "plumbline/dissipation/jst.hpp"
@@ -18,7 +19,8 @@ struct Simulation {
   State<d> state;
   Stepper<d> stepper;
   StepControl control;
-  std::vector<Support<d>> supports;
+  Actions<d> actions;                                  ///< what acts from outside
+  std::vector<Support<d>> supports;                    ///< the components that `actions` holds
   std::vector<std::string> warnings;                   ///< for people: settings that work but may surprise
   std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
 };

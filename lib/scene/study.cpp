@@ -62,7 +62,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
   for (const char* name : {"study", "expect", "body", "material"}) root.has(name);
-  for (const char* name : method_sections) root.has(name);
+  for (const auto& name : method_sections()) root.has(name);
   if (!root.has("study") && root.has("scene"))
     root.fail("scene", "this file is a scene", "a study has [study]", "plumb run is for scenes");
   root.reject_unknown();

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "plumbline/boundary/apply_actions.hpp"
 #include "plumbline/boundary/supports.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/run/run.hpp"
@@ -166,7 +167,8 @@ TEST_CASE("solid: the undamped swinging plate keeps its energy with the adjoint 
     for (const bool upper : {false, true})
       for (const Index i : particles_on_face(solid.cloud, axis, upper, Layout::node))
         supports.push_back({i, axis, 0});
-  add_term(solid, support_term(solid, supports));
+  const Actions<2> actions = holding(solid.cloud, supports);
+  apply_actions(solid, actions);
   State<2> state = make_state(solid);
   const double q = std::numbers::pi / 2, omega = q * std::sqrt(2 * rubber.shear_modulus() / rubber.density);
   for (Index i = 0; i < solid.cloud.size(); ++i) {
@@ -174,7 +176,7 @@ TEST_CASE("solid: the undamped swinging plate keeps its energy with the adjoint 
     const Vec<2> v(-std::sin(q * X[0]) * std::cos(q * X[1]), std::cos(q * X[0]) * std::sin(q * X[1]));
     set_vector<2>(state.v, solid.bonds.slots.of(i), Vec<2>(0.01 * omega * v));
   }
-  impose(solid, supports, state);
+  impose(solid, actions, state);
   const double period = 2 * std::numbers::pi / omega;
   const double start = energy_of(solid, state).total();
   const auto worst_drift = [&](double cfl, double periods) {

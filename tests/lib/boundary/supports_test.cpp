@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plumbline/boundary/apply_actions.hpp"
 #include "plumbline/run/run.hpp"
 #include "tests/support/solids.hpp"
 
@@ -20,7 +21,7 @@ TEST(Faces, HoldTheFirstLayerOfEveryLayout) {
 }
 
 TEST(Supports, HeldComponentsMoveAsPrescribedAndTheOthersAreFree) {
-  for (const std::string integrator : {"rk3", "verlet"}) {
+  for (const std::string& integrator : names_of(IntegratorCatalogue{})) {
     Solid<2> solid = rubber_block<2>(10, Layout::node, 0);
     const auto left = particles_on_face(solid.cloud, 0, false, Layout::node);
     const auto right = particles_on_face(solid.cloud, 0, true, Layout::node);
@@ -29,8 +30,9 @@ TEST(Supports, HeldComponentsMoveAsPrescribedAndTheOthersAreFree) {
     for (const Index i : left) supports.push_back({i, 0, 0.0});   // roller
     for (const Index i : right) supports.push_back({i, 0, 3.0});  // pulled
     State<2> state = make_state(solid);
-    add_term(solid, support_term(solid, supports));
-    impose(solid, supports, state);
+    const Actions<2> actions = holding(solid.cloud, supports);
+    apply_actions(solid, actions);
+    impose(solid, actions, state);
     StepControl control;
     control.cfl = 0.4;
     control.max_steps = 60;

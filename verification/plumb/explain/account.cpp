@@ -78,6 +78,35 @@ Statement gradient_of(const Scene& scene) {
       "THEORY (11.1), (11.4)"};
 }
 
+Statement loads_of(const LoadOptions& load) {
+  std::string text;
+  if (!load.gravity.empty()) text = "gravity " + list(load.gravity) + " m/s^2";
+  if (!load.body_force.empty())
+    text += (text.empty() ? "" : ", ") + ("force per volume " + list(load.body_force) + " N/m^3");
+  if (load.ramp) text += fmt::format(", ramped up in {:g} s", *load.ramp);
+  return {"loads", text, "THEORY (5.7)"};
+}
+
+/// "moved with 1 m/s, 0": what a boundary does.
+std::string in_words(const Boundary& boundary) {
+  const std::string ramp = boundary.ramp ? fmt::format(", ramped up in {:g} s", *boundary.ramp) : "";
+  switch (boundary.kind) {
+    case BoundaryKind::clamped:
+      return "clamped";
+    case BoundaryKind::roller:
+      return "on rollers";
+    case BoundaryKind::velocity:
+      return "moved with " + list(boundary.velocity) + ramp;
+    case BoundaryKind::displacement:
+      return "displaced by " + list(boundary.displacement) + ramp;
+    case BoundaryKind::traction:
+      return "under the traction " + list(boundary.traction) + " Pa" + ramp;
+    case BoundaryKind::pressure:
+      return "under the pressure " + boundary.pressure->text() + " Pa" + ramp;
+  }
+  return {};
+}
+
 template <int d>
 Statement held(const Scene& scene, const Simulation<d>& simulation) {
   std::string text;
@@ -86,9 +115,7 @@ Statement held(const Scene& scene, const Simulation<d>& simulation) {
     text += boundary.face
                 ? fmt::format("face {}{}", "xyz"[boundary.face->axis], boundary.face->side < 0 ? '-' : '+')
                 : "where " + boundary.where->text();
-    text += boundary.kind == BoundaryKind::clamped  ? " clamped"
-            : boundary.kind == BoundaryKind::roller ? " on rollers"
-                                                    : " moved with " + list(boundary.velocity);
+    text += " " + in_words(boundary);
   }
   return {"supports", fmt::format("{} ({} components of particles held)", text, simulation.supports.size()),
           ""};
@@ -147,17 +174,10 @@ std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simul
   all.push_back(correction_of(scene));
   all.push_back(gradient_of(scene));
   all.push_back(about("momentum", scene.method.momentum, "", "(5.1)"));
-  if (scene.method.jst)
-    all.push_back({"dissipation",
-                   fmt::format("JST with eta2 = {:g}, eta4 = {:g}, outer level {}", scene.method.jst->eta2,
-                               scene.method.jst->eta4, scene.method.jst->outer),
-                   "THEORY (6.1), (6.4)"});
-  if (scene.method.hourglass)
-    all.push_back({"hourglass",
-                   fmt::format("energy of alternating motion, alpha = {:g}", scene.method.hourglass->alpha),
-                   "THEORY (12.1), (12.2)"});
-  if (scene.method.projection)
-    all.push_back({"projection", "the force loses its torque by the least change", "THEORY (5.4)-(5.6)"});
+  for_each_part(scene.method, [&]<class Part>(const std::optional<Part>& part) {
+    if (part) all.push_back({std::string(Part::subject), part->in_words(), std::string(Part::theory)});
+  });
+  if (scene.load) all.push_back(loads_of(*scene.load));
   all.push_back(about("integrator", std::string(simulation.stepper.name),
                       fmt::format("{} evaluation{} a step", simulation.stepper.evaluations_per_step,
                                   simulation.stepper.evaluations_per_step > 1 ? "s" : "")));

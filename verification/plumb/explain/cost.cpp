@@ -1,9 +1,11 @@
 #include "plumb/explain/cost.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <chrono>
+#include <type_traits>
 
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/scene_options.hpp"
@@ -26,6 +28,7 @@ Scene sample_of(Scene scene) {
   for (std::size_t k = 0; k < scene.body.size.size(); ++k)
     scene.body.size[k] = *scene.body.spacing * static_cast<double>(scene.body.particles[k] - ends);
   scene.boundaries.clear();
+  scene.load.reset();
   scene.initial.reset();
   scene.output.reset();
   return scene;
@@ -93,18 +96,19 @@ Costs measure_costs(const Scene& scene) {
   const Scene sample = sample_of(scene);
   const Measured as_it_is = measured(sample);
   Costs costs{as_it_is.particles, {}};
-  const auto compare = [&](const char* part, bool built, auto&& toggle) {
+  const auto compare = [&](const std::string& part, bool built, auto&& toggle) {
     Scene other = sample;
     toggle(other);
     const Measured changed = measured(other);
     costs.parts.push_back(compared(part, built, built ? as_it_is : changed, built ? changed : as_it_is));
   };
-  const bool dissipates = scene.method.jst.has_value();
-  compare("dissipation (jst)", dissipates,
-          [&](Scene& other) { other.method.jst = dissipates ? std::nullopt : std::optional(JstOptions{}); });
-  const bool resists = scene.method.hourglass.has_value();
-  compare("hourglass energy", resists, [&](Scene& other) {
-    other.method.hourglass = resists ? std::nullopt : std::optional(HourglassOptions{});
+  for_each_part(scene.method, [&]<class Part>(const std::optional<Part>& part) {
+    if (std::is_same_v<Part, DampingOptions>) return;  // no memory, and its cost is that of its step
+    compare(fmt::format("{} ({})", Part::subject, Part::section), part.has_value(), [&](Scene& other) {
+      for_each_part(other.method, [&]<class Other>(std::optional<Other>& its) {
+        if constexpr (std::is_same_v<Other, Part>) its = part ? std::nullopt : std::optional(Part{});
+      });
+    });
   });
   if (scene.method.time_step) return costs;  // a fixed step asks for no wave speed
   const bool stretches = scene.method.wave_speed != "linear";

@@ -31,10 +31,11 @@ Parts parts_of(const Scene& scene, const Simulation<d>& simulation) {
   add(true, "bond constants: kernel " + scene.method.kernel + ", correction " + scene.method.pair +
                 ", gradient " + scene.method.gradient + ", momentum " + scene.method.momentum);
   add(true, "integrator " + std::string(simulation.stepper.name));
-  add(has_term("jst"), "jst");
-  add(has_term("hourglass"), "hourglass");
-  add(has_term("projection"), "projection");
+  for_each_part(scene.method, [&]<class Part>(const std::optional<Part>&) {
+    add(has_term(Part::section), std::string(Part::section));
+  });
   add(scene.initial.has_value(), "initial");
+  add(has_term("loads"), "load");
   add(has_term("supports"), "boundary");
   add(has_term("mirror"), "mirror");
   add(simulation.solid.F.components() > 0, "stored deformation gradient");

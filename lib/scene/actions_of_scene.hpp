@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "plumbline/actions/actions.hpp"
+#include "plumbline/geometry/cloud.hpp"
+#include "plumbline/geometry/facets.hpp"
+#include "plumbline/scene/scene.hpp"
+
+namespace plumb {
+
+/// Returns the point at which expressions of X, Y, Z are asked.
+std::array<double, 3> in_space(const auto& X) {
+  std::array<double, 3> point{0, 0, 0};
+  for (int k = 0; k < X.size(); ++k) point[k] = X[k];
+  return point;
+}
+
+/// Evaluates one formula per component at X [m] and a time [s].
+template <int d>
+Vec<d> evaluate_at(const std::vector<Expression>& expressions, const Vec<d>& X, double time = 0) {
+  Vec<d> value;
+  for (int k = 0; k < d; ++k) value[k] = expressions[k].at(in_space(X), time);
+  return value;
+}
+
+/// Makes what [load] and the [[boundary]] tables of a scene do to its particles. `facets` is asked for the
+/// pieces of the surface if a boundary loads them. `time_scale` [s]: formulas change little in a thousandth
+/// of it. Throws InputError where a boundary meets no particle or no surface.
+template <int d>
+Actions<d> actions_of_scene(const Cloud<d>& cloud, const Scene& scene,
+                            const std::function<std::vector<Facet<d>>()>& facets, double time_scale);
+
+/// Refuses two boundaries that hold one component on different paths; they may meet in a particle if they say
+/// the same of each component. Throws InputError.
+template <int d>
+void refuse_contradictions(const Cloud<d>& cloud, const Actions<d>& actions, double time_scale);
+
+}  // namespace plumb
