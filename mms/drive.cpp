@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "mms/mirrored.hpp"
 #include "plumbline/boundary/apply_actions.hpp"
 #include "plumbline/boundary/supports.hpp"
 
@@ -68,7 +69,7 @@ double face_share(const Cloud<d>& cloud, Index i, int axis, Layout layout) {
 
 template <int d>
 void add_face(const Cloud<d>& cloud, const Manufactured<d>& solution, int face, const DriveOptions& options,
-              HeldParts<d>& held, SurfaceLoad<d>& load) {
+              HeldParts<d>& parts, SurfaceLoad<d>& load) {
   const int axis = face / 2;
   const bool upper = face % 2;
   const FaceCondition condition = solution.domain.faces[static_cast<std::size_t>(face)];
@@ -82,7 +83,7 @@ void add_face(const Cloud<d>& cloud, const Manufactured<d>& solution, int face, 
     for (int k = 0; k < d; ++k) {
       const Known known = k == axis ? condition.normal : condition.tangential;
       if (known == Known::displacement)
-        held.add(i, k, at);
+        parts.add(i, k, at);
       else
         any_traction = true;
     }
@@ -93,24 +94,24 @@ void add_face(const Cloud<d>& cloud, const Manufactured<d>& solution, int face, 
 
 /// All components of the outermost layer and of every particle within the band.
 template <int d>
-void add_band(const Cloud<d>& cloud, const Manufactured<d>& solution, double width, HeldParts<d>& held) {
+void add_band(const Cloud<d>& cloud, const Manufactured<d>& solution, double width, HeldParts<d>& parts) {
   const double outermost = 0.5 * cloud.spacing * (1 + 1e-6);  // cells: half a spacing; nodes: 0
   const double depth = std::max(outermost, width * (1 + 1e-9));
   for (Index i = 0; i < cloud.size(); ++i)
     if (solution.domain.depth(cloud.X[i]) <= depth)
-      for (int k = 0; k < d; ++k) held.add(i, k, cloud.X[i]);
+      for (int k = 0; k < d; ++k) parts.add(i, k, cloud.X[i]);
 }
 
 /// Drops the tractions that vanish at seven times (roller faces without shear, free circles): no work for
 /// them.
 template <int d>
-void drop_zero_tractions(const Manufactured<d>& solution, const HeldParts<d>& held, double modulus,
+void drop_zero_tractions(const Manufactured<d>& solution, const HeldParts<d>& parts, double modulus,
                          SurfaceLoad<d>& load) {
   std::erase_if(load.places, [&](const LoadedPlace<d>& place) {
     for (int k = 1; k <= 7; ++k) {
       Vec<d> t = solution.traction(place.at, 0.137 * k * solution.period, place.area.normalized());
       for (int component = 0; component < d; ++component)
-        if (held.holds(place.particle, component)) t[component] = 0;
+        if (parts.holds(place.particle, component)) t[component] = 0;
       if (t.norm() > 1e-12 * modulus) return false;
     }
     return true;
@@ -131,24 +132,24 @@ void set_exact_state(const Solid<d>& solid, const Manufactured<d>& solution, Sta
 template <int d>
 Actions<d> actions_of(const Solid<d>& solid, const Manufactured<d>& solution, const DriveOptions& options) {
   const Cloud<d>& cloud = solid.cloud;
-  HeldParts<d> held(solution);
+  HeldParts<d> parts(solution);
   SurfaceLoad<d> load;
   load.name = "manufactured traction";
   load.traction = [solution](const Vec<d>& at, const Vec<d>& normal, double time) -> Vec<d> {
     return solution.traction(at, time, normal);
   };
   if (options.held_band)
-    add_band(cloud, solution, *options.held_band, held);
+    add_band(cloud, solution, *options.held_band, parts);
   else if (solution.domain.shape == Domain<d>::Shape::box)
-    for (int face = 0; face < 2 * d; ++face) add_face(cloud, solution, face, options, held, load);
-  drop_zero_tractions(solution, held, solution.density * std::pow(solid.elastic.wave_speed(), 2), load);
+    for (int face = 0; face < 2 * d; ++face) add_face(cloud, solution, face, options, parts, load);
+  drop_zero_tractions(solution, parts, solution.density * std::pow(solid.elastic.wave_speed(), 2), load);
   Actions<d> actions;
   if (options.body_force)
     actions.body.push_back(
         {"manufactured load",
          [solution](const Vec<d>& X, double time) -> Vec<d> { return solution.body_force(X, time); }, false});
   if (!load.places.empty()) actions.surface.push_back(std::move(load));
-  std::move(held).add_to(actions);
+  std::move(parts).add_to(actions);
   return actions;
 }
 
@@ -157,8 +158,8 @@ namespace {
 /// The actions as they are seen by somebody whose clock stands still between the starts of steps.
 template <int d>
 Actions<d> seen_at(const std::shared_ptr<const double>& start, Actions<d> actions) {
-  for (auto& held : actions.held)
-    held.motion = [start, inner = held.motion](const Vec<d>& at, int k, double) {
+  for (auto& boundary : actions.held)
+    boundary.motion = [start, inner = boundary.motion](const Vec<d>& at, int k, double) {
       return inner(at, k, *start);
     };
   for (auto& load : actions.surface)

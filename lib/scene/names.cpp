@@ -1,12 +1,14 @@
 #include "plumbline/scene/names.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "plumbline/geometry/shape.hpp"
 #include "plumbline/gradient/catalogue.hpp"
 #include "plumbline/kernel/catalogue.hpp"
 #include "plumbline/material/catalogue.hpp"
 #include "plumbline/momentum/catalogue.hpp"
+#include "plumbline/scene/scene.hpp"
 #include "plumbline/time/catalogue.hpp"
 
 namespace plumb {

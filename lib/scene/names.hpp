@@ -1,8 +1,11 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumb {
+
+enum class BoundaryKind;
 
 /// The words that a scene may use, from the catalogues where there is one.
 std::vector<std::string> kernel_names();

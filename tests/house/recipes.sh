@@ -1,6 +1,6 @@
 #!/bin/bash
 # recipes.sh SOURCE WORK BUILD_TYPE LAUNCHER: follows CONTRIBUTING.md in a copy of the tree. Every fenced block whose first line
-# names a file becomes that file; then the steps of the recipes are done.
+# names a file becomes that file, a block of language diff changes it; then the steps of the recipes are done.
 set -euo pipefail
 source=$1 work=$2 build_type=$3 launcher=${4:-}
 tree=$work/tree build=$work/build
@@ -13,13 +13,16 @@ done
 
 mkdir -p "$tree/verification/scenes"
 awk -v tree="$tree" '
+  /^```diff / { file = tree "/changes.diff"; next }
   /^```[a-z]+ [^ ]*\// { file = tree "/" $2; next }
   /^```/ { file = "" }
   file != "" { print > file }' "$tree/CONTRIBUTING.md"
 for file in lib/kernel/kernels/lucy.hpp lib/material/models/saint_venant_kirchhoff.hpp \
-  lib/gradient/estimators/least_squares.hpp verification/scenes/stretched-bar.toml; do
+  lib/gradient/estimators/least_squares.hpp lib/dissipation/drag.hpp lib/dissipation/drag.cpp changes.diff \
+  verification/scenes/stretched-bar.toml; do
   [ -s "$tree/$file" ] || { echo "CONTRIBUTING.md does not show $file"; exit 1; }
 done
+patch -p1 -d "$tree" <"$tree/changes.diff"
 
 cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE="$build_type" ${launcher:+-DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"}
 cmake --build "$build" -j "${PLUMBLINE_JOBS:-2}" --target plumb tests_laws
@@ -50,3 +53,14 @@ grep -q '"completed"' "$work/run.json"
 "$plumb" run "$scene" --set material.model=saint-venant-kirchhoff --json "$work/material.json" --out "$work/out"
 grep -q '"completed"' "$work/material.json"
 ! cmp -s "$work/run.json" "$work/material.json"
+# the part of the recipe takes kinetic energy away; without its section nothing of it is there
+plate=verification/scenes/spinning-plate.toml small='--set body.particles=[20,20] --set scene.max_steps=50'
+"$plumb" explain $plate $small --set drag.coefficient=5 | grep -q 'quadratic, coefficient 5 1/m'
+"$plumb" run $plate $small --set drag.coefficient=5 --json "$work/drag.json" --out "$work/out"
+"$plumb" run $plate $small --json "$work/plain.json" --out "$work/out"
+python3 - "$work/drag.json" "$work/plain.json" <<'CHECK'
+import json, sys
+drag, plain = (json.load(open(name)) for name in sys.argv[1:])
+assert drag["energy"]["kinetic"] < 0.9 * plain["energy"]["kinetic"], "the drag takes no energy"
+assert "drag" in drag["built"] and "drag" in plain["left_out"]
+CHECK
