@@ -84,8 +84,8 @@ values = [0.9]
 name = "improved"
 )toml";
   std::ofstream(folder / "bad.toml") << R"toml(
-scene = ""
-study = ""
+scene = "none"
+study = "none"
 [[bad]]
 what = "no command"
 call = "frobnicate"

@@ -52,7 +52,7 @@ Json document(const Json& result, const Call& call) {
     }
   whole["rows"] = Json::array();
   for (const char* table : tables)
-    if (result.contains(table)) {
+    if (result.contains(table) && result.at(table).is_array()) {
       whole["rows"] = result.at(table);
       break;
     }
