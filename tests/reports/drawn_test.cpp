@@ -204,24 +204,32 @@ class Drawn : public ::testing::Test {
   /// A name that a column, a case or a method has.
   void check_name(const std::string& label, const Origin& origin, const std::string& where) const {
     const std::string& column = origin.column;
-    if (column.find(" energy [") != std::string::npos && column.find(':') == std::string::npos &&
-        label.size() < 8)
+    const bool energy =
+        column.find(" energy [") != std::string::npos && column.find(':') == std::string::npos;
+    if (energy && label.size() < 8) {
       EXPECT_TRUE(column.starts_with(label)) << where << " shows " << column;
-    if (const auto at = column.find(": "); at != std::string::npos)
+    }
+    if (const auto at = column.find(": "); at != std::string::npos) {
       EXPECT_EQ(column.substr(0, at), label) << where;
-    if (column.starts_with("W")) EXPECT_EQ(label.substr(0, label.find(' ')), column) << where;
-    if (const auto at = label.find("∇"); at != std::string::npos)
+    }
+    if (column.starts_with("W")) {
+      EXPECT_EQ(label.substr(0, label.find(' ')), column) << where;
+    }
+    if (const auto at = label.find("∇"); at != std::string::npos) {
       EXPECT_EQ(label.substr(0, at) + "grad" + label.substr(at + std::string("∇").size()), column) << where;
+    }
     for (const std::string& word : {std::string(": F, "), std::string(": Div P, ")})
-      if (const auto at = label.find(word); at != std::string::npos)
+      if (const auto at = label.find(word); at != std::string::npos) {
         EXPECT_EQ(column, (word == ": F, " ? "f_" : "div_p_") + label.substr(at + word.size())) << where;
-    const auto method = origin.row->words.find("method");
-    if (method != origin.row->words.end() && label != "Pareto front" &&
-        !origin.row->words.contains("material.poisson"))
-      EXPECT_EQ(method->second, label) << where;
+      }
+    const Words& words = origin.row->words;
+    if (words.contains("method") && label != "Pareto front" && !words.contains("material.poisson")) {
+      EXPECT_EQ(words.at("method"), label) << where;
+    }
     for (const char* key : {"direction", "integrator"})
-      if (const auto word = origin.row->words.find(key); word != origin.row->words.end())
+      if (const auto word = words.find(key); word != words.end()) {
         EXPECT_NE((" " + label + ":").find(word->second), std::string::npos) << where << ": " << word->second;
+      }
   }
 
   plumb::test::TemporaryFolder folder;

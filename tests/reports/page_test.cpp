@@ -92,7 +92,7 @@ TEST(Page, BookKeepingIsNotCountedAmongWhatPassed) {
   EXPECT_EQ(count_verdicts(page.sections)[0].second, 2u);
   EXPECT_EQ(count_verdicts(page.sections)[1].second, 2u);
   std::map<std::string, std::pair<std::size_t, std::size_t>> kinds;
-  for (const auto& [kind, passed, all] : count_kinds(page.sections)) kinds[name_of(kind)] = {passed, all};
+  for (const auto& [kind, passed, total] : count_kinds(page.sections)) kinds[name_of(kind)] = {passed, total};
   const std::map<std::string, std::pair<std::size_t, std::size_t>> wanted{
       {"verified", {1, 3}}, {"reproduced", {1, 1}}, {"regression", {0, 0}}, {"book-keeping", {1, 2}}};
   EXPECT_EQ(kinds, wanted);
