@@ -10,6 +10,31 @@
 
 namespace plumb::reports {
 
+const char* name_of(CheckKind kind) {
+  switch (kind) {
+    case CheckKind::verified:
+      return "verified";
+    case CheckKind::reproduced:
+      return "reproduced";
+    case CheckKind::regression:
+      return "regression";
+    case CheckKind::book_keeping:
+      break;
+  }
+  return "book-keeping";
+}
+
+const std::vector<CheckKind>& check_kinds() {
+  static const std::vector<CheckKind> kinds{CheckKind::verified, CheckKind::reproduced, CheckKind::regression,
+                                            CheckKind::book_keeping};
+  return kinds;
+}
+
+Check as(CheckKind kind, Check check) {
+  check.kind = kind;
+  return check;
+}
+
 Check number_check(std::string what, double measured, double expected, double tolerance,
                    const std::string& reason) {
   const double error = std::abs(measured - expected);
@@ -17,7 +42,8 @@ Check number_check(std::string what, double measured, double expected, double to
   const int digits =
       std::clamp(3 - static_cast<int>(std::floor(std::log10(tolerance))), 3, 12);  // one to spare
   return {std::move(what), fmt::format("{:.{}g} within {:.0e} ({})", expected, digits, tolerance, reason),
-          fmt::format("{:.{}g}, off by {:.1e}", measured, digits, error / std::abs(expected)),
+          error == 0 ? fmt::format("{:.{}g}, exactly", measured, digits)
+                     : fmt::format("{:.{}g}, off by {:.1e}", measured, digits, error / std::abs(expected)),
           pass_if(holds)};
 }
 

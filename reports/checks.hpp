@@ -8,6 +8,9 @@
 
 namespace plumb::reports {
 
+/// The check as one of that kind.
+Check as(CheckKind kind, Check check);
+
 /// A measured number against the one that mathematics gives, to a relative tolerance whose reason the caller
 /// gives. A measured number that is not finite fails.
 Check number_check(std::string what, double measured, double expected, double tolerance,

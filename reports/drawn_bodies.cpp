@@ -18,7 +18,8 @@ void add_spins(std::vector<DrawnBody>& all) {
                      "spinning-plate",
                      {fmt::format("body.particles=[{0},{0}]", n), fmt::format("scene.end_time={}", end)},
                      plane,
-                     1.0 / n});
+                     1.0 / n,
+                     Compared::angular_momentum});
   // With the paper's scheme the step collapses from 0.7 s on (claims ledger, 5.2-cube-smooth); the adjoint
   // form without dissipation does so at 1.24 s.
   const std::vector<std::pair<std::string, std::vector<std::string>>> cubes{
@@ -32,7 +33,8 @@ void add_spins(std::vector<DrawnBody>& all) {
                    "spinning-cube",
                    set,
                    plane,
-                   0.02};
+                   0.02,
+                   Compared::angular_momentum};
     body.set.emplace_back("body.particles=[50,50,50]");
     all.push_back(std::move(body));
   }
@@ -47,7 +49,8 @@ void add_bending_columns(std::vector<DrawnBody>& all) {
                      {fmt::format("body.particles=[{0},{0},{1}]", n, 6 * n),
                       fmt::format("method.momentum={}", momentum)},
                      lying,
-                     1.0 / n});
+                     1.0 / n,
+                     Compared::start_energy});
 }
 
 /// The scene at half its step (cell layout, symmetrised), and the one reading in which the published
@@ -67,7 +70,8 @@ void add_pulling_columns(std::vector<DrawnBody>& all) {
                        fmt::format("pulling-column-nu-{}", nu),
                        set,
                        lying,
-                       0.083};
+                       0.083,
+                       Compared::length};
         body.set.push_back(fmt::format("method.gradient={}", gradient));
         all.push_back(std::move(body));
       }
@@ -80,31 +84,41 @@ void add_twisting_columns(std::vector<DrawnBody>& all) {
                    "twisting-column-105",
                    {fmt::format("method.cfl={}", alpha)},
                    lying,
-                   0.143});
+                   0.143,
+                   Compared::start_energy});
   all.push_back({"twisting-300",
                  "Twisting column, 300 rad/s, 11 × 11 × 66, 92.1 ms",
                  "twisting-column-300",
                  {},
                  lying,
-                 0.09});
+                 0.09,
+                 Compared::start_energy});
   all.push_back({"twisting-400",
                  "Twisting column, 400 rad/s, 12 × 12 × 72, 0.1 s",
                  "twisting-column-400",
                  {"jst.laplacian_factor=1"},
                  lying,
-                 0.083});
+                 0.083,
+                 Compared::start_energy});
 }
 
 }  // namespace
 
 std::vector<DrawnBody> reduced_bodies() {
-  return {{"spin", "Spinning plate, 50 × 50, 0.2 s", "spinning-plate", {}, plane, 0.02},
+  return {{"spin",
+           "Spinning plate, 50 × 50, 0.2 s",
+           "spinning-plate",
+           {},
+           plane,
+           0.02,
+           Compared::angular_momentum},
           {"column",
            "Bending column, 5 × 5 × 30, adjoint, 0.45 s",
            "bending-column",
            {"method.momentum=adjoint", "scene.end_time=0.45"},
            lying,
            0.2,
+           Compared::corner,
            true},
           {"pulling",
            "Pulling column, nodes of 6 × 6 × 36 cells, W0, 1.2 s",
@@ -112,13 +126,15 @@ std::vector<DrawnBody> reduced_bodies() {
            {"body.layout=node", "body.particles=[7,7,37]", "method.pair=W0", "method.cfl=0.5",
             "scene.end_time=1.2"},
            lying,
-           0.5},
+           1.0 / 6,
+           Compared::stress},
           {"twisting",
            "Twisting column, 105 rad/s, 7 × 7 × 42, 0.1 s",
            "twisting-column-105",
            {"method.cfl=0.4", "scene.end_time=0.1"},
            lying,
            0.143,
+           Compared::rotation,
            true}};
 }
 
@@ -133,7 +149,8 @@ std::vector<DrawnBody> paper_size_bodies() {
                  "oscillating-plate",
                  {"body.spacing=0.001", "scene.end_time=2.5"},
                  plane,
-                 0.001});
+                 0.001,
+                 Compared::period});
   return all;
 }
 

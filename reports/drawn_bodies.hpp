@@ -6,12 +6,16 @@
 
 namespace plumb::reports {
 
+/// The one number of a drawn body that is held against another (body_numbers.hpp).
+enum class Compared { angular_momentum, corner, rotation, stress, start_energy, length, period };
+
 /// A run whose last state the report draws.
 struct DrawnBody {
   std::string id, name, scene;   ///< scene: the name of a file of verification/scenes
   std::vector<std::string> set;  ///< KEY=VALUE over the scene
   View view;
-  double spacing;      ///< [m]
+  double spacing;  ///< [m]
+  Compared compared;
   bool moves = false;  ///< states on the way are drawn too
 };
 

@@ -89,7 +89,8 @@ std::vector<Problem> problems(bool long_run) {
   if (!long_run) return all;
   for (auto& problem : all)
     if (!problem.long_clouds.empty()) problem.clouds = problem.long_clouds;
-  all[0].set = {"study.spacings=[0.2,0.1,0.05,0.025,0.0125]"};
+  for (auto& problem : all)
+    if (problem.id == "static") problem.set = {"study.spacings=[0.2,0.1,0.05,0.025,0.0125]"};
   all.push_back({"clipped",
                  "vortex, A = 0.5 rad, clipped ring, β = 1.2",
                  "mms",

@@ -23,8 +23,15 @@ struct ReportOptions {
   std::function<bool()> go_on = {};                               ///< asked after every study; none: always
 };
 
+/// One check of a section.
+struct SectionCheck {
+  std::string section;
+  Check check;
+};
+
 struct ReportSummary {
   std::filesystem::path page;  ///< index.html
+  std::vector<SectionCheck> checks;
   std::vector<std::pair<std::string, std::size_t>> verdicts;
   std::vector<std::string> problems;  ///< sections that could not be written, and why
   std::size_t jobs = 0, reused = 0;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -75,6 +77,21 @@ double number(const nlohmann::ordered_json& object, const std::string& key) {
 std::string text(const nlohmann::ordered_json& object, const std::string& key) {
   const auto& value = entry(object, key);
   return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+const nlohmann::ordered_json& row_at(const nlohmann::ordered_json& rows, const std::string& key,
+                                     double value) {
+  for (const auto& row : rows)
+    if (std::abs(number(row, key) - value) <= 1e-9 * std::abs(value)) return row;
+  throw MissingResult(fmt::format("a result has no row with {} = {:g}", key, value));
+}
+
+const nlohmann::ordered_json& finest_level(const nlohmann::ordered_json& result) {
+  const auto& levels = entry(result, "levels");
+  const auto finer = [](const auto& a, const auto& b) { return number(a, "d") < number(b, "d"); };
+  const auto found = std::min_element(levels.begin(), levels.end(), finer);
+  if (found == levels.end()) throw MissingResult("a study has no levels");
+  return *found;
 }
 
 Series series_of(const nlohmann::ordered_json& rows, const std::map<std::string, std::string>& where,

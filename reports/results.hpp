@@ -46,6 +46,11 @@ class Results {
 double number(const nlohmann::ordered_json& object, const std::string& key);
 /// A text of a JSON object. @throws MissingResult if the key is not there.
 std::string text(const nlohmann::ordered_json& object, const std::string& key);
+/// The row whose `key` has that value, to round-off. @throws MissingResult if there is none.
+const nlohmann::ordered_json& row_at(const nlohmann::ordered_json& rows, const std::string& key,
+                                     double value);
+/// The level of a refinement study with the least spacing d. @throws MissingResult if it has none.
+const nlohmann::ordered_json& finest_level(const nlohmann::ordered_json& result);
 /// All x and y of the rows for which every key of `where` has the given text, as a series.
 Series series_of(const nlohmann::ordered_json& rows, const std::map<std::string, std::string>& where,
                  const std::string& x, const std::string& y, std::string label, Style style = Style::both);

@@ -10,6 +10,19 @@
 /// What a report says, as values: sections with a question, an answer, pictures, tables and checks.
 namespace plumb::reports {
 
+/// What a check holds a number against.
+enum class CheckKind {
+  verified,      ///< mathematics: a closed form, an identity, an order, an independent solution
+  reproduced,    ///< a number that a paper prints
+  regression,    ///< a number that this project found before
+  book_keeping,  ///< that something is there or ended: it says nothing about a number
+};
+
+/// "verified", "reproduced", "regression", "book-keeping".
+const char* name_of(CheckKind kind);
+/// The kinds in the order of the first screen.
+const std::vector<CheckKind>& check_kinds();
+
 /// One thing that was checked, with what was found. `verdict` is a name of plumb::Verdict ("pass", "fail",
 /// "not-asymptotic", "noise-floor", "inconclusive") or "not-computed".
 struct Check {
@@ -18,6 +31,7 @@ struct Check {
   std::string measured;
   std::string verdict;
   std::string job = {};  ///< where the number comes from, if it is one job
+  CheckKind kind = CheckKind::verified;
 };
 
 /// The verdicts in the order of the first screen.

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "reports/results.hpp"
+#include "reports/named.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -31,6 +31,11 @@ Entry end_of(const Json& fit, std::size_t which) {
 std::string short_number(const Entry& entry) {
   const auto* value = std::get_if<double>(&entry);
   return value ? fmt::format("{:.2f}", *value) : "?";
+}
+
+/// "l2" as L₂, for people.
+std::string shown_norm(const std::string& norm) {
+  return norm == "l2" ? "L₂" : norm == "h1" ? "H₁" : norm;
 }
 
 /// What the levels say about failed runs; empty if all completed.
@@ -77,19 +82,20 @@ Job refinement_job(const Refinement& entry, const std::string& command) {
 
 Figure levels_figure(const Results& results, const std::string& id, const std::string& title,
                      const std::vector<Refinement>& entries, const std::string& caption) {
-  Figure figure{
-      id,
-      {title, {"particle spacing d", "m", Scale::log}, {"error in L₂ of the displacement", "", Scale::log}},
-      caption,
-      {}};
+  Figure figure{id,
+                {title,
+                 {"particle spacing d", "m", Scale::log},
+                 {"relative error in L₂ of the displacement", "", Scale::log}},
+                caption,
+                {}};
   figure.picture.labels = Labels::legend;
   figure.picture.height = 480;
   for (const auto& entry : entries) {
     Series series{entry.name, {}, {}};
     const Json result = results.json(entry.id);
     for (const auto& level : result.at("levels"))
-      if (!level.at("l2").is_null())
-        series.x.push_back(number(level, "d")), series.y.push_back(number(level, "l2"));
+      if (!level.at("relative_l2").is_null())
+        series.x.push_back(number(level, "d")), series.y.push_back(number(level, "relative_l2"));
     if (!series.x.empty()) figure.picture.series.push_back(series);
     figure.jobs.push_back(entry.id);
   }
@@ -163,19 +169,21 @@ Figure orders_figure(std::string id, std::string title, const DataTable& fits, c
   };
   Intervals rows;
   for (const auto& row : fits.rows) {
-    if (std::get<std::string>(row[1]) != norm) continue;
-    rows.names.push_back(std::get<std::string>(row[0]));
-    rows.value.push_back(value(row[2]));
-    rows.low.push_back(value(row[3]));
-    rows.high.push_back(value(row[4]));
-    rows.expected.push_back(value(row[5]));
+    const auto in = [&](const char* column) -> const Entry& { return cell_of(fits, row, column); };
+    if (std::get<std::string>(in("norm")) != norm) continue;
+    rows.names.push_back(std::get<std::string>(in("study")));
+    rows.value.push_back(value(in("order")));
+    rows.low.push_back(value(in("95 % from")));
+    rows.high.push_back(value(in("to")));
+    rows.expected.push_back(value(in("declared")));
   }
   if (rows.names.empty()) throw MissingResult("no fits of " + norm);
   double least = 0, most = 2.5;
   for (const auto* values : {&rows.low, &rows.high, &rows.value})
     for (const double v : *values)
       if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
-  Picture picture{std::move(title), {"order of the error in " + norm, "", Scale::linear}, {"", ""}};
+  Picture picture{
+      std::move(title), {"order of the error in " + shown_norm(norm), "", Scale::linear}, {"", ""}};
   picture.x.min = std::max(least - 0.1, -1.0);
   picture.x.max = std::min(most + 0.1, 5.0);
   picture.height = 110 + 20 * static_cast<int>(rows.names.size());

@@ -23,7 +23,7 @@ struct Refinement {
 /// The call of `plumb mms` (or another subcommand that takes a study) for it.
 Job refinement_job(const Refinement& entry, const std::string& command = "mms");
 
-/// L2 errors of all of them over the spacing, levels that broke left out.
+/// Relative L2 errors of all of them over the spacing, levels that broke left out.
 Figure levels_figure(const Results& results, const std::string& id, const std::string& title,
                      const std::vector<Refinement>& entries, const std::string& caption);
 

@@ -17,6 +17,12 @@ std::string tiles(const Page& page) {
                : fmt::format(R"(<a class="tile v-{0}" href="#not-passed"><b>{1}</b> {0}</a>)", escaped(name),
                              count);
   out += "</div>";
+  out += "<div class=\"tiles\">";
+  for (const auto& [kind, passed, all] : count_kinds(page.sections))
+    if (all > 0)
+      out += fmt::format(R"(<div class="tile"><b>{} of {}</b> {}{}</div>)", passed, all, name_of(kind),
+                         kind == CheckKind::book_keeping ? ", counted apart" : "");
+  out += "</div>";
   std::string facts;
   for (const auto& section : page.sections)
     for (const auto& fact : section.section.headlines)

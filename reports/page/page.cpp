@@ -30,10 +30,25 @@ std::string reproduce(const PageSection& section) {
 
 }  // namespace
 
+std::vector<KindCount> count_kinds(const std::vector<PageSection>& sections) {
+  std::vector<KindCount> counts;
+  for (const CheckKind kind : check_kinds()) {
+    counts.push_back({kind});
+    for (const auto& section : sections)
+      for (const auto& check : section.section.checks) {
+        if (check.kind != kind) continue;
+        ++counts.back().all;
+        counts.back().passed += check.verdict == "pass" ? 1 : 0;
+      }
+  }
+  return counts;
+}
+
 std::vector<std::pair<std::string, std::size_t>> count_verdicts(const std::vector<PageSection>& sections) {
   std::map<std::string, std::size_t> found;
   for (const auto& section : sections)
-    for (const auto& check : section.section.checks) ++found[check.verdict];
+    for (const auto& check : section.section.checks)
+      if (check.kind != CheckKind::book_keeping || check.verdict != "pass") ++found[check.verdict];
   std::vector<std::pair<std::string, std::size_t>> counts;
   for (const auto& name : verdict_names()) counts.emplace_back(name, found[name]);
   return counts;

@@ -29,7 +29,15 @@ struct Page {
 /// ("data/ID.csv").
 std::string html(const Page& page);
 
-/// How often each verdict occurs, in the order of verdict_names().
+/// How many checks of one kind there are, and how many of them passed.
+struct KindCount {
+  CheckKind kind;
+  std::size_t passed = 0, all = 0;
+};
+std::vector<KindCount> count_kinds(const std::vector<PageSection>& sections);
+
+/// How often each verdict occurs, in the order of verdict_names(). Book-keeping that passed is not counted:
+/// it shows nothing.
 std::vector<std::pair<std::string, std::size_t>> count_verdicts(const std::vector<PageSection>& sections);
 
 /// A number with `digits` significant digits for people: 1.234e-05 as 1.234·10⁻⁵ (plain text, no markup); 0

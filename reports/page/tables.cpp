@@ -142,15 +142,16 @@ std::string checks(const PageSection& section) {
   if (checks.empty()) return {};
   std::string out = fmt::format(
       "<h3 id=\"{}-checks\">Checks</h3><div class=\"scroll\"><table class=\"data cards\"><thead><tr><th "
-      "scope=\"col\">verdict</th><th scope=\"col\">what</th><th scope=\"col\">expected</th><th "
+      "scope=\"col\">verdict</th><th scope=\"col\">kind</th><th scope=\"col\">what</th><th "
+      "scope=\"col\">expected</th><th "
       "scope=\"col\">found</th><th scope=\"col\" class=\"see\">see</th></tr></thead><tbody>\n",
       escaped(section.id));
   for (const auto& check : checks)
     out += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td data-l=\"expected\">{}</td><td data-l=\"found\">{}</td><td "
-        "class=\"see\">{}</td></tr>\n",
-        verdict(check.verdict, check.verdict), escaped(check.what), escaped(check.expected),
-        escaped(check.measured), command_link(check.job, section));
+        "<tr><td>{}</td><td data-l=\"kind\">{}</td><td>{}</td><td data-l=\"expected\">{}</td><td "
+        "data-l=\"found\">{}</td><td class=\"see\">{}</td></tr>\n",
+        verdict(check.verdict, check.verdict), name_of(check.kind), escaped(check.what),
+        escaped(check.expected), escaped(check.measured), command_link(check.job, section));
   return out + "</tbody></table></div>\n";
 }
 

@@ -17,11 +17,14 @@ Section write(const Results& results) {
   s.answer = fmt::format(
       "{:.0f} bad inputs were tried; {:.0f} of them got another message than the one written down.", count,
       wrong);
-  s.checks = {{"bad inputs refused with the message that is written down", fmt::format("all {:.0f}", count),
-               fmt::format("{:.0f}", count - wrong), pass_if(wrong == 0)},
-              bound_check("CPU time until the slowest one is refused [s]", number(result, "slowest_s"), 1,
-                          "nobody waits longer to be told"),
-              {"bad inputs tried", "at least 80", fmt::format("{:.0f}", count), pass_if(count >= 80)}};
+  s.checks = {as(CheckKind::regression, {"bad inputs refused with the message that is written down",
+                                         fmt::format("all {:.0f}", count),
+                                         fmt::format("{:.0f}", count - wrong), pass_if(wrong == 0)}),
+              as(CheckKind::book_keeping,
+                 bound_check("CPU time until the slowest one is refused [s]", number(result, "slowest_s"), 1,
+                             "nobody waits longer to be told")),
+              as(CheckKind::book_keeping,
+                 {"bad inputs tried", "at least 80", fmt::format("{:.0f}", count), pass_if(count >= 80)})};
   DataTable table{
       "bad-input", "Bad inputs and what a user is told", {{"input"}, {"message"}}, {}, {"refusals"}, {}};
   for (const auto& row : result.at("rows")) table.rows.push_back({text(row, "what"), text(row, "message")});

@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "reports/checks.hpp"
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
@@ -82,10 +83,12 @@ Section write(const Results& results) {
       {fmt::format("{} claims", all),
        fmt::format("of the paper: {} reproduced, {} ambiguous, {} contradicted, {} open", count["reproduced"],
                    count["ambiguous"], count["contradicted"], count["open"])}};
-  s.checks.push_back({"claims in the ledger", "at least 40", fmt::format("{}", all), pass_if(all >= 40)});
+  s.checks.push_back(as(CheckKind::book_keeping,
+                        {"claims in the ledger", "at least 40", fmt::format("{}", all), pass_if(all >= 40)}));
   for (const auto& part : closed)
     s.checks.push_back(
-        {"open claims of section " + part, "0", fmt::format("{}", open[part]), pass_if(open[part] == 0)});
+        as(CheckKind::book_keeping,
+           {"open claims of section " + part, "0", fmt::format("{}", open[part]), pass_if(open[part] == 0)}));
   s.notes = {
       "A claim is reproduced if it holds in every reading of what the paper leaves open, ambiguous if it "
       "holds "

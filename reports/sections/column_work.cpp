@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "reports/results.hpp"
+#include "reports/named.hpp"
 #include "reports/section.hpp"
 
 namespace plumb::reports::sections {
@@ -62,8 +62,8 @@ Series errors(const Results& results, const Scheme& scheme, const std::vector<in
 Section write(const Results& results, const std::vector<int>& cells, int finest) {
   Section s;
   s.question = "What does a given accuracy of the bending column cost?";
-  const auto first = tip_of(results.json(id_of(schemes[0], finest)));
-  const auto second = tip_of(results.json(id_of(schemes[1], finest)));
+  const auto first = tip_of(results.json(id_of(by_id(schemes, "adjoint"), finest)));
+  const auto second = tip_of(results.json(id_of(by_id(schemes, "paper"), finest)));
   Picture picture{"Error of the tip at 0.1 s over CPU time",
                   {"CPU time", "s", Scale::log},
                   {"|u − reference|", "m", Scale::log}};
@@ -88,7 +88,8 @@ Section write(const Results& results, const std::vector<int>& cells, int finest)
     picture.series.push_back(one);
   }
   const double apart = distance(first, second);
-  const auto &a = picture.series[0], &b = picture.series[1];
+  const Series a = by_label(picture.series, by_id(schemes, "adjoint").name),
+               b = by_label(picture.series, by_id(schemes, "paper").name);
   s.answer = fmt::format(
       "At {} cells across the adjoint force with Verlet is {:.2g} m off in {:.2g} s, the paper's scheme "
       "{:.2g} m in "

@@ -105,7 +105,8 @@ std::string end_of(const Json& run) {
 void check(Section& s, const Case& column, const Json& run) {
   const std::string what = column.name + ", " + column.cloud;
   const bool completed = text(run, "status") == "completed";
-  s.checks.push_back({what + ": runs to its end", "completed", end_of(run), pass_if(completed), column.id});
+  s.checks.push_back({what + ": runs to its end", "completed", end_of(run), pass_if(completed), column.id,
+                      CheckKind::book_keeping});
   s.checks.push_back(bound_check(what + ": hourglass share", number(run, "hourglass_share"), 0.15,
                                  "goal: alternating motion is a small part of the strain"));
   if (!column.driven)

@@ -20,7 +20,7 @@ struct Row {
 
   std::string id() const { return evidence_job(problem, cloud, scheme).id; }
   std::string name() const { return fmt::format("{}, {}: {}", problem.name, cloud.name, scheme.name); }
-  bool projected() const { return scheme.id == schemes().front().id; }
+  bool projected() const { return scheme.id == "compatible"; }
   bool claimed() const {
     const auto& all = problem.second_order;
     return std::find(all.begin(), all.end(), cloud.id) != all.end();

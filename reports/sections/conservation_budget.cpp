@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/checks.hpp"
+#include "reports/named.hpp"
 #include "reports/page/page.hpp"
 #include "reports/results.hpp"
 #include "reports/section.hpp"
@@ -98,7 +99,7 @@ Section write(const Results& results) {
   for (const auto& v : variants) {
     const Json run = results.json(v.id);
     s.checks.push_back({v.name + ": run to its end", "completed", text(run, "status"),
-                        pass_if(text(run, "status") == "completed"), v.id});
+                        pass_if(text(run, "status") == "completed"), v.id, CheckKind::book_keeping});
     const auto columns = results.csv(v.id, "budget.csv");
     for (const char* gap : {"gap of linear momentum", "gap of angular momentum", "gap of energy"})
       worst = std::max(worst, largest(columns, gap));
@@ -106,10 +107,11 @@ Section write(const Results& results) {
                  energy = start_of(results, v.id, "kinetic energy");
     const auto turns = parts_of(columns, "angular momentum z"), powers = parts_of(columns, "energy");
     double turned = 0;
-    for (std::size_t k = 0; k < turns.size(); ++k) {
-      turned += turns[k].values.back() / momentum;
-      table.rows.push_back({v.name, turns[k].name, 100 * turns[k].values.back() / momentum,
-                            100 * powers[k].values.back() / energy});
+    for (const Part& turn : turns) {
+      const Part power = named(powers, turn.name, &Part::name);
+      turned += turn.values.back() / momentum;
+      table.rows.push_back(
+          {v.name, turn.name, 100 * turn.values.back() / momentum, 100 * power.values.back() / energy});
       table.row_jobs.push_back(v.id);
       table.figures.push_back(v.id);
     }

@@ -31,9 +31,12 @@ Json rows_of(const Json& rows, const std::string& estimator, const std::string& 
   return out;
 }
 
-double error_at(const Json& rows, const std::string& estimator, const std::string& pair,
-                std::size_t particle) {
-  return number(rows_of(rows, estimator, pair).at(particle), "error");
+/// Positions of the first particle and of one that no end is near to [m].
+constexpr double first = 0.5 * dx, inside = 20.5 * dx;
+
+/// The error at the particle at X.
+double error_at(const Json& rows, const std::string& estimator, const std::string& pair, double X) {
+  return number(row_at(rows_of(rows, estimator, pair), "X", X), "error");
 }
 
 /// The largest error of the standard and the improved estimate with W1.
@@ -75,24 +78,25 @@ Figure compared(const Json& rows, const std::string& job, const std::string& id,
 std::vector<Check> checks(const Json& line, const Json& square, const Json& cube) {
   const std::string exact = "exact rational of the lattice, round-off";
   const auto bond = rows_of(line, "bond", "W1");
-  return {
-      bound_check("standard and improved are exact for x = X + 1 (largest error)", worst_of_exact(line),
-                  1e-12, "round-off"),
-      number_check("plain bond for x = X + 1, inside", number(bond.at(20), "value"), 2.0 / 3, 1e-12, exact),
-      number_check("plain bond for x = X + 1, first particle", number(bond.at(0), "value"), 71.0 / 583, 1e-12,
-                   exact),
-      number_check("X²: standard W1, first particle, error / (f'' Δx)",
-                   std::abs(error_at(square, "standard", "W1", 0)) / (2 * dx), 267780.0 / 339889, 1e-12,
-                   exact),
-      number_check("X²: improved W1, first particle, error / (f'' Δx)",
-                   std::abs(error_at(square, "improved", "W1", 0)) / (2 * dx), 0.691899, 1e-6,
-                   "six digits known"),
-      number_check("X²: improved W0, first particle, error / (f'' Δx)",
-                   std::abs(error_at(square, "improved", "W0", 0)) / (2 * dx), 8291.0 / 9664, 1e-12, exact),
-      number_check("X³: standard W1, inside, error / (f''' Δx²)",
-                   error_at(cube, "standard", "W1", 20) / (6 * dx * dx), 2.0 / 3, 1e-10, exact),
-      number_check("X³: improved W1, inside, error / (f''' Δx²)",
-                   error_at(cube, "improved", "W1", 20) / (6 * dx * dx), 4.0 / 9, 1e-10, exact)};
+  return {bound_check("standard and improved are exact for x = X + 1 (largest error)", worst_of_exact(line),
+                      1e-12, "round-off"),
+          number_check("plain bond for x = X + 1, inside", number(row_at(bond, "X", inside), "value"),
+                       2.0 / 3, 1e-12, exact),
+          number_check("plain bond for x = X + 1, first particle", number(row_at(bond, "X", first), "value"),
+                       71.0 / 583, 1e-12, exact),
+          number_check("X²: standard W1, first particle, error / (f'' Δx)",
+                       std::abs(error_at(square, "standard", "W1", first)) / (2 * dx), 267780.0 / 339889,
+                       1e-12, exact),
+          number_check("X²: improved W1, first particle, error / (f'' Δx)",
+                       std::abs(error_at(square, "improved", "W1", first)) / (2 * dx), 0.691899, 1e-6,
+                       "six digits known"),
+          number_check("X²: improved W0, first particle, error / (f'' Δx)",
+                       std::abs(error_at(square, "improved", "W0", first)) / (2 * dx), 8291.0 / 9664, 1e-12,
+                       exact),
+          number_check("X³: standard W1, inside, error / (f''' Δx²)",
+                       error_at(cube, "standard", "W1", inside) / (6 * dx * dx), 2.0 / 3, 1e-10, exact),
+          number_check("X³: improved W1, inside, error / (f''' Δx²)",
+                       error_at(cube, "improved", "W1", inside) / (6 * dx * dx), 4.0 / 9, 1e-10, exact)};
 }
 
 Section write(const Results& results) {
@@ -102,13 +106,15 @@ Section write(const Results& results) {
   Section s;
   s.question = "What does each estimate make of a linear, a quadratic and a cubic field?";
   s.checks = checks(line, square, cube);
-  const double at_end = error_at(square, "improved", "W1", 0) / error_at(square, "standard", "W1", 0);
-  const double inside = error_at(cube, "improved", "W1", 20) / error_at(cube, "standard", "W1", 20);
+  const auto ratio = [](const Json& rows, double X) {
+    return error_at(rows, "improved", "W1", X) / error_at(rows, "standard", "W1", X);
+  };
   s.answer = fmt::format(
       "At R = 4Δx the improved estimate has {:.3g} of the standard one's error inside (X³) and {:.3g} at the "
       "first "
       "particle (X²); the plain bond estimate gives {:.4g} in place of 1 for a linear field.",
-      inside, at_end, number(rows_of(line, "bond", "W1").at(20), "value"));
+      ratio(cube, inside), ratio(square, first),
+      number(row_at(rows_of(line, "bond", "W1"), "X", inside), "value"));
   s.figures = {linear(line),
                compared(square, "gradient-square", "fig5a", "Figure 5a: estimates for x = X² + 1", false),
                compared(square, "gradient-square", "fig5a-error", "Figure 5a as errors: x = X² + 1", true),

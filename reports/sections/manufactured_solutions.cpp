@@ -114,7 +114,7 @@ Section write(const Results& results) {
                              "Errors at the end time of each study file."),
                orders_figure("mms-orders", "Orders in L₂", fits, "l2"), time_figure(time)};
   s.tables = {broken_table(results), fits, levels};
-  s.answer = fmt::format("{} of {} solutions with natural edges meet the order that their study declares.",
+  s.answer = fmt::format("{} of {} solutions with natural edges of which an order in L₂ is declared meet it.",
                          met, declared);
   s.notes = {
       fmt::format(

@@ -65,8 +65,8 @@ std::vector<Goal> goals_of(const Results& results) {
 
 DataTable table_of(const std::vector<Goal>& goals) {
   DataTable table{"speed-goals",
-                  "What was asked for and what this run found",
-                  {{"what"}, {"unit"}, {"particles", "", 0}, {"asked"}, {"found", "", 3}, {"met"}},
+                  "Goals and what this run found",
+                  {{"what"}, {"unit"}, {"particles", "", 0}, {"goal"}, {"found", "", 3}, {"met"}},
                   {},
                   {},
                   {},
@@ -108,7 +108,8 @@ Section write(const Results& results) {
   const auto met = std::count_if(goals.begin(), goals.end(), [](const Goal& g) { return g.met(); });
   Section s;
   s.question = "Is it as fast as it was meant to be?";
-  s.answer = fmt::format("{} of {} figures were met in this run.", met, goals.size());
+  s.answer = fmt::format("{} of {} speeds that this project set itself as goals were reached in this run.",
+                         met, goals.size());
   s.tables = {table_of(goals), limits_of(results.json("goals-million"))};
   s.notes = {
       "Whole steps in 3D with 26 neighbours (h = 0.9 spacings), neo-Hookean, double precision: boundaries "
@@ -131,7 +132,7 @@ SectionPlan speed_goals(bool) {
   };
   return {905,
           "speed-goals",
-          "Speed that was asked for",
+          "Speed: the goals of this project",
           {bench("goals-block", "adjoint-verlet-3d,paper-3d,adjoint-verlet-3d-jittered", "64000", "1"),
            bench("goals-plate", "paper-2d", "40000", "1"),
            bench("goals-million", "adjoint-verlet-3d", "1000000", "1,2")},

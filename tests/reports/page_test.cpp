@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -80,6 +81,27 @@ TEST(Page, CountsEveryVerdictOnTheFirstScreen) {
   EXPECT_NE(html(sample()).find("<b>1</b> not-computed"), std::string::npos);
 }
 
+/// What shows nothing about a number is counted apart, and when it fails it is seen all the same.
+TEST(Page, BookKeepingIsNotCountedAmongWhatPassed) {
+  Page page = sample();
+  auto& checks = page.sections[0].section.checks;
+  checks.push_back({"runs to its end", "completed", "completed", "pass", {}, CheckKind::book_keeping});
+  EXPECT_EQ(count_verdicts(page.sections)[0].second, 1u);
+  checks.push_back({"claims", "at least 40", "39", "fail", {}, CheckKind::book_keeping});
+  checks.push_back({"loss", "6 %", "6 %", "pass", {}, CheckKind::reproduced});
+  EXPECT_EQ(count_verdicts(page.sections)[0].second, 2u);
+  EXPECT_EQ(count_verdicts(page.sections)[1].second, 2u);
+  std::map<std::string, std::pair<std::size_t, std::size_t>> kinds;
+  for (const auto& [kind, passed, total] : count_kinds(page.sections)) kinds[name_of(kind)] = {passed, total};
+  const std::map<std::string, std::pair<std::size_t, std::size_t>> wanted{
+      {"verified", {1, 3}}, {"reproduced", {1, 1}}, {"regression", {0, 0}}, {"book-keeping", {1, 2}}};
+  EXPECT_EQ(kinds, wanted);
+  const std::string text = html(page), first = text.substr(0, text.find("<main>"));
+  EXPECT_NE(first.find("<b>1 of 3</b> verified"), std::string::npos);
+  EXPECT_NE(first.find("<b>1 of 2</b> book-keeping"), std::string::npos);
+  EXPECT_EQ(first.find("regression"), std::string::npos);
+}
+
 TEST(Page, EveryRowLinksToItsCommandAndItsPicture) {
   Page page = sample();
   PageSection& section = page.sections[0];
@@ -141,6 +163,7 @@ TEST(Page, NumbersHaveAsManyDigitsAsTheyAreWorth) {
 
 TEST(Checks, VerdictsFollowTheData) {
   EXPECT_EQ(number_check("", 1.0 + 1e-9, 1.0, 1e-8, "").verdict, "pass");
+  EXPECT_EQ(number_check("", 1.0, 1.0, 1e-8, "").measured, "1, exactly");
   EXPECT_EQ(number_check("", 1.0 + 1e-7, 1.0, 1e-8, "").verdict, "fail");
   EXPECT_EQ(number_check("", std::numeric_limits<double>::quiet_NaN(), 1.0, 1e-8, "").verdict, "fail");
   EXPECT_EQ(bound_check("", 2e-12, 1e-12, "").verdict, "fail");

@@ -7,9 +7,13 @@
 
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
+#include "plumb/result.hpp"
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
 #include "plumbline/core/error.hpp"
+#include "plumbline/output/file.hpp"
+#include "plumbline/output/json.hpp"
+#include "plumbline/output/sitting.hpp"
 
 namespace {
 
@@ -23,6 +27,24 @@ int complain(const std::string& text, int code) {
   return code;
 }
 
+/// The arguments behind the name of the program.
+std::vector<std::string> words_of(int count, char** arguments) {
+  return {arguments + std::min(count, 1), arguments + count};
+}
+
+/// Says the error, and writes it as JSON where --json asks for the result. That it cannot be written there is
+/// no second error.
+int complain(const std::exception& error, const std::string& text, int code,
+             const std::vector<std::string>& words) {
+  const std::string file = plumb::json_destination(words);
+  if (!file.empty()) try {
+      const auto json = plumb::json_text(plumb::error_document(error, {"", plumb::shell_line(words), code}));
+      file == "-" ? void(std::cout << json) : plumb::replace_file(file, json);
+    } catch (const std::exception&) {
+    }
+  return complain(text, code);
+}
+
 /// Parses, checks at the door, runs the chosen subcommand; the exit code.
 int run(CLI::App& program, plumb::Session& session, int count, char** arguments) {
   try {
@@ -30,14 +52,15 @@ int run(CLI::App& program, plumb::Session& session, int count, char** arguments)
   } catch (const CLI::Success& success) {  // --help, --version
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    return complain(plumb::usage_error(program, error), bad_input);
+    const std::string text = plumb::usage_error(program, error);
+    return complain(plumb::InputError(text, "", ""), text, bad_input, words_of(count, arguments));
   }
   if (!session.action) {
     std::cout << plumb::first_steps(program);
     return done;
   }
   session.check();
-  return session.action();
+  return session.finish(session.action());
 }
 
 }  // namespace
@@ -46,16 +69,19 @@ int main(int count, char** arguments) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a write error with a message, not a death
   try {
     plumb::Session session;
-    session.command_line = plumb::shell_line({arguments + std::min(count, 1), arguments + count});
+    session.command_line = plumb::shell_line(words_of(count, arguments));
     CLI::App program("Plumbline: total Lagrangian SPH for solids, checked against mathematics", "plumb");
     program.set_version_flag("--version", plumb::version_text());
     plumb::add_all_commands(program, session);
     return run(program, session, count, arguments);
   } catch (const plumb::InputError& error) {
-    return complain(std::string("plumb: ") + error.what(), bad_input);
+    return complain(error, std::string("plumb: ") + error.what(), bad_input, words_of(count, arguments));
+  } catch (const plumb::SittingEnded& ended) {  // no error: the same call goes on from there
+    return complain(std::string("plumb: ") + ended.what(), failed);
   } catch (const std::bad_alloc&) {
-    return complain("plumb: out of memory; try a coarser spacing or fewer particles", failed);
+    const std::runtime_error error("out of memory; try a coarser spacing or fewer particles");
+    return complain(error, std::string("plumb: ") + error.what(), failed, words_of(count, arguments));
   } catch (const std::exception& error) {
-    return complain(std::string("plumb: ") + error.what(), failed);
+    return complain(error, std::string("plumb: ") + error.what(), failed, words_of(count, arguments));
   }
 }

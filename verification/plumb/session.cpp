@@ -8,7 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "plumb/provenance.hpp"
+#include "plumb/result.hpp"
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/output/json.hpp"
@@ -42,12 +42,10 @@ std::string thread_count(const std::string& text) {
   return fmt::format("\"{}\" is not a whole number from 1 to {}", text, most_threads);
 }
 
-/// The result with what a reader needs to place it in front.
-nlohmann::ordered_json with_origin(const nlohmann::ordered_json& result, const std::string& command_line) {
-  nlohmann::ordered_json whole{
-      {"plumbline", version()}, {"command", command_line}, {"provenance", provenance()}};
-  whole.update(result);
-  return whole;
+/// "oned study" for the subcommand of that name below `parent`.
+std::string words_of(const CLI::App& parent, const std::string& name) {
+  return parent.get_parent() == nullptr ? name
+                                        : words_of(*parent.get_parent(), parent.get_name()) + " " + name;
 }
 
 }  // namespace
@@ -58,11 +56,18 @@ std::ostream& Session::text() const {
 }
 
 void Session::write_json(const nlohmann::ordered_json& result) const {
-  if (!json.empty()) write(json, json_text(with_origin(result, command_line)));
+  if (!json.empty()) result_ = std::make_shared<const nlohmann::ordered_json>(result);
 }
 
-void Session::write_json_file(const nlohmann::ordered_json& result, const std::filesystem::path& file) const {
-  replace_file(file, json_text(with_origin(result, command_line)));
+int Session::finish(int exit_code) const {
+  if (result_) write(json, json_text(document(*result_, {kind, command_line, exit_code})));
+  result_.reset();
+  return exit_code;
+}
+
+void Session::write_json_file(const nlohmann::ordered_json& result, const std::filesystem::path& file,
+                              int exit_code) const {
+  replace_file(file, json_text(document(result, {kind, command_line, exit_code})));
 }
 
 void Session::warn(const std::string& text) const {
@@ -114,7 +119,10 @@ CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& tex
       ->check(thread_count)
       ->group(shared_options);
   command.add_flag("--quiet", session.quiet, "no progress and no text")->group(shared_options);
-  command.final_callback([&session, action = std::move(action)] { session.action = action; });
+  command.final_callback([&session, words = words_of(parent, text.name), action = std::move(action)] {
+    session.kind = words;
+    session.action = action;
+  });
   return command;
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -23,6 +24,7 @@ struct Session {
   int threads = 0;           ///< --threads N; 0: all that OpenMP offers
   bool quiet = false;        ///< --quiet: no progress, no text, only errors and what was asked for
   std::string command_line;  ///< "plumb oned study --n 20,40", quoted for a shell
+  std::string kind;          ///< words of the chosen subcommand: "oned study"
 
   std::function<int()> action;  ///< the chosen subcommand; returns the exit code (0 done, 1 a check failed)
 
@@ -31,11 +33,14 @@ struct Session {
   /// Progress for long work on standard error, in the style that fits.
   Progress::Style progress() const { return Progress::style_for_stderr(quiet); }
 
-  /// Writes `result` (an object) to --json, if asked for, with "plumbline", "command" and "provenance" put
-  /// first and non-finite numbers as null with a status. Throws OutputError if that fails.
+  /// Takes `result` (an object) for --json, if asked for. It is written in the shape of all results
+  /// (result.hpp), non-finite numbers as null with a reason, when the exit code is known: by finish().
   void write_json(const nlohmann::ordered_json& result) const;
-  /// Writes the same, whether asked for or not, to a file that the subcommand chose.
-  void write_json_file(const nlohmann::ordered_json& result, const std::filesystem::path& file) const;
+  /// Writes what write_json() took, if anything. Returns the exit code. Throws OutputError if that fails.
+  int finish(int exit_code) const;
+  /// Writes a result at once, whether asked for or not, to a file that the subcommand chose.
+  void write_json_file(const nlohmann::ordered_json& result, const std::filesystem::path& file,
+                       int exit_code) const;
   /// A warning on standard error, unless quiet.
   void warn(const std::string& text) const;
   /// Writes the table to --csv, if asked for.
@@ -47,6 +52,9 @@ struct Session {
 
   /// Checks the shared options and applies --threads. Throws InputError.
   void check() const;
+
+ private:
+  mutable std::shared_ptr<const nlohmann::ordered_json> result_;  ///< waits for the exit code
 };
 
 /// What a subcommand is called and how it is explained. `example` is one copyable line.

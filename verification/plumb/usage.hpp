@@ -16,7 +16,7 @@ namespace plumb {
 inline constexpr std::array<std::pair<int, const char*>, 3> exit_codes{{
     {0, "done"},
     {1, "a check failed or a run became unstable"},
-    {2, "bad input: nothing was computed and nothing written"},
+    {2, "bad input: nothing was computed and nothing written, but for the error where --json asks for it"},
 }};
 
 inline constexpr const char* where_examples_run =

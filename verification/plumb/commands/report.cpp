@@ -50,8 +50,26 @@ int report(const Session& session, reports::ReportOptions options) {
   session.text() << fmt::format("{} studies, {} of them stored ones\nreport: {}\n", summary.jobs,
                                 summary.reused,
                                 std::filesystem::absolute(summary.page).lexically_normal().string());
+  Json rows = Json::array(), kinds = Json::object();
+  for (const auto& kind : reports::check_kinds()) kinds[name_of(kind)] = {{"pass", 0}, {"all", 0}};
+  for (const auto& [section, check] : summary.checks) {
+    rows.push_back({{"section", section},
+                    {"kind", name_of(check.kind)},
+                    {"what", check.what},
+                    {"expected", check.expected},
+                    {"measured", check.measured},
+                    {"verdict", check.verdict}});
+    Json& count = kinds[name_of(check.kind)];
+    count["all"] = count["all"].get<int>() + 1;
+    count["pass"] = count["pass"].get<int>() + (check.verdict == "pass" ? 1 : 0);
+  }
+  for (const auto& [kind, count] : kinds.items())
+    session.text() << fmt::format("{:>5} of {} {} checks pass\n", count["pass"].get<int>(),
+                                  count["all"].get<int>(), kind);
   session.write_json({{"page", summary.page.string()},
                       {"verdicts", verdicts},
+                      {"kinds", kinds},
+                      {"rows", rows},
                       {"problems", summary.problems},
                       {"studies", summary.jobs},
                       {"reused", summary.reused},

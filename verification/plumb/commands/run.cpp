@@ -156,7 +156,7 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
   const auto json = summary(finished);
   session.text() << summary_text(finished);
   if (keeps_files) {
-    session.write_json_file(json, folder / "summary.json");
+    session.write_json_file(json, folder / "summary.json", result.completed() ? 0 : 1);
     session.text() << "  files in " << folder.string() << '\n';
     if (!result.completed())
       session.text() << fmt::format("  kept: all rows up to t = {:.6g} s, and the state there in {}\n",

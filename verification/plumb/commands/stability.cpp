@@ -174,9 +174,13 @@ int stability(const Session& session, const StabilityOptions& options) {
   session.write_table(rows);
   if (!whole)
     session.text() << "interrupted: the runs that are finished are kept and will not be run again\n";
+  const bool pulled = study.parameter == EdgeParameter::stretch;
   session.write_json(
       {{"study", study.name},
        {"parameter", name_of(study.parameter)},
+       {"x_name", study.over.empty() ? Json() : Json(study.over)},
+       {"y_name", pulled ? Json() : Json(fmt::format("least unstable {}", name_of(study.parameter)))},
+       {"limit_name", fmt::format("largest {} {}", pulled ? "reached" : "stable", name_of(study.parameter))},
        {"over", study.over},
        {"from", study.from},
        {"to", study.to},

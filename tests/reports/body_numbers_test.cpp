@@ -1,0 +1,81 @@
+#include "reports/body_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "reports/named.hpp"
+
+namespace {
+
+using namespace plumb::reports;
+
+/// A lattice of cells in [0,1]^2 x [0,2], moved by a motion; the value is linear in X.
+template <class Motion>
+BodyState lattice(Motion&& motion) {
+  BodyState state;
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) {
+        const Point X{(i + 0.5) / 4, (j + 0.5) / 4, (k + 0.5) / 4};
+        state.reference.push_back(X);
+        state.position.push_back(motion(X));
+        state.value.push_back(2 * X[0] - X[1] + 3 * X[2]);
+      }
+  return state;
+}
+
+TEST(BodyNumbers, APlaceIsExactForMultilinearMotionsAlsoBeyondTheOuterParticles) {
+  const auto motion = [](const Point& X) { return Point{X[0] + 0.5 * X[1] * X[2], X[1], 2 * X[2] - X[0]}; };
+  const BodyState state = lattice(motion);
+  for (const Point& X : {Point{0, 0, 2}, Point{1, 1, 2}, Point{0.5, 0.5, 1}, Point{0.125, 0.625, 0.375}})
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(place_of(state, X)[k], motion(X)[k], 1e-12);
+  EXPECT_NEAR(value_of(state, {1, 0, 2}), 8, 1e-12);
+}
+
+TEST(BodyNumbers, APlaceAmongParticlesThatAreNoLatticeIsRefused) {
+  BodyState state = lattice([](const Point& X) { return X; });
+  for (auto* points : {&state.reference, &state.position}) points->pop_back();  // a corner is missing
+  state.value.pop_back();
+  EXPECT_THROW(place_of(state, {1, 1, 2}), MissingResult);
+}
+
+/// Small strain: Young's modulus. Incompressible: mu (l^2 - 1/l).
+TEST(BodyNumbers, UniaxialStressHasItsLimits) {
+  const double mu = 5, kappa = 20, young = 9 * kappa * mu / (3 * kappa + mu);
+  EXPECT_NEAR(uniaxial_stress(1 + 1e-6, mu, kappa) / 1e-6, young, 1e-4 * young);
+  EXPECT_NEAR(uniaxial_stress(2, mu, 1e7), mu * (4 - 0.5), 1e-4);
+  EXPECT_NEAR(uniaxial_stress(3, mu, 1e7), mu * (9 - 1 / 3.0), 1e-3);
+}
+
+TEST(BodyNumbers, ThePeriodIsTheSecondReturnThroughZero) {
+  std::vector<double> time, tip;
+  for (int n = 0; n < 200; ++n) {
+    time.push_back(0.01 * n);
+    tip.push_back(std::sin(2 * std::numbers::pi * time.back() / 0.77));
+  }
+  EXPECT_NEAR(first_period(time, tip), 0.77, 1e-4);
+  tip.resize(50);
+  time.resize(50);
+  EXPECT_THROW(first_period(time, tip), MissingResult);
+}
+
+struct Thing {
+  std::string id;
+  int value;
+};
+
+TEST(Named, WhatIsNotThereIsAnErrorAndNotTheNextOne) {
+  const std::vector<Thing> things{{"a", 1}, {"b", 2}};
+  EXPECT_EQ(by_id(things, "b").value, 2);
+  EXPECT_THROW(by_id(things, "c"), MissingResult);
+  const std::vector<Series> series{{"one", {}, {}}, {"two", {}, {}}};
+  EXPECT_EQ(place_of(series, "two"), 1u);
+  EXPECT_THROW(by_label(series, "three"), MissingResult);
+  const DataTable table{"t", "T", {{"d"}, {"error"}}, {{0.1, 0.5}}};
+  EXPECT_EQ(std::get<double>(cell_of(table, table.rows[0], "error")), 0.5);
+  EXPECT_THROW(cell_of(table, table.rows[0], "l2"), MissingResult);
+}
+
+}  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.hpp"
+
+namespace plumb::test {
+
+/// The names in the list of a help text, behind the heading.
+inline std::vector<std::string> listed(const std::string& help, const std::string& heading) {
+  std::vector<std::string> names;
+  const auto start = help.find(heading);
+  if (start == std::string::npos) return names;
+  std::istringstream lines(help.substr(start + heading.size()));
+  for (std::string line; std::getline(lines, line) && line.starts_with("  ");)
+    if (line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return names;
+}
+
+/// All subcommands as the help names them, "oned study" among them.
+inline std::vector<std::string> commands() {
+  std::vector<std::string> all;
+  for (const auto& name : listed(run_plumb("").out, "Commands:\n")) {
+    all.push_back(name);
+    for (const auto& member : listed(run_plumb(name + " --help").out, "Subcommands:\n"))
+      all.push_back(fmt::format("{} {}", name, member));
+  }
+  return all;
+}
+
+}  // namespace plumb::test
