@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/scene/not_yet.hpp"
+#include "plumbline/scene/spelling.hpp"
 
 namespace plumb {
 
@@ -33,6 +35,7 @@ std::string known_variables(int dimension) {
 }
 
 std::string suggestion_for(const std::string& name, int dimension, const mu::Parser& parser) {
+  if (const auto words = no_time_yet(name); !words.empty()) return words;
   if (name == "x" || name == "y" || name == "z") return "capital letters stand for the reference coordinates";
   if (name == "Z" || name == "Y") return fmt::format("the dimension is {}", dimension);
   std::vector<std::string> known;
@@ -109,6 +112,9 @@ Expression::Expression(std::string text, int dimension, std::string where) {
   } catch (const mu::Parser::exception_type& error) {
     throw syntax_error(compiled->prefix(), compiled->text, dimension, parser, error);
   }
+  if (const auto corrected = without_decimal_comma(compiled->text))
+    throw InputError(fmt::format("{}in \"{}\": a decimal comma", compiled->prefix(), compiled->text),
+                     "decimals follow a point", fmt::format("write \"{}\"", *corrected));
   if (results != 1)
     throw InputError(fmt::format("{}in \"{}\": {} values", compiled->prefix(), compiled->text, results),
                      "a formula has one", "write an array of formulas");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "plumbline/scene/not_yet.hpp"
 #include "plumbline/scene/readers.hpp"
 
 namespace plumb {
@@ -42,7 +43,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
                            "projection", "initial", "boundary", "output"})
     root.has(name);
   if (!root.has("scene") && root.has("study"))
-    root.fail("study", "this file is a study", "a scene has [scene]", "plumb mms is for studies");
+    root.fail("study", "this file is a study", "a scene has [scene]", "use plumb mms for studies");
+  refuse_loads(document);
   root.reject_unknown();
   Scene scene;
   const Section head = root.section("scene");
@@ -52,7 +54,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.dimension = static_cast<int>(std::min(head.integer_or("dimension", 0, 0), 9L));
   if (scene.dimension != 2 && scene.dimension != 3)
     head.fail("dimension", std::to_string(scene.dimension) + " is not possible",
-              "bodies have 2 (plane strain) or 3", "plumb oned studies one dimension");
+              "bodies have 2 (plane strain) or 3", "use plumb oned for one dimension");
   scene.end_time = head.optional_number("end_time", quantity::time, Sign::positive);
   scene.max_steps = head.optional_integer("max_steps", 1);
   head.reject_unknown();

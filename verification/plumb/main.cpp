@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -9,7 +10,7 @@
 #include "plumb/provenance.hpp"
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
-#include "plumbline/core/error.hpp"
+#include "plumbline/core/sentences.hpp"
 
 namespace {
 
@@ -24,9 +25,9 @@ int complain(const std::string& text, int code) {
 }
 
 /// Parses, checks at the door, runs the chosen subcommand; the exit code.
-int run(CLI::App& program, plumb::Session& session, int count, char** arguments) {
+int run(CLI::App& program, plumb::Session& session, std::vector<std::string> arguments) {
   try {
-    program.parse(count, arguments);
+    program.parse(arguments);
   } catch (const CLI::Success& success) {  // --help, --version
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
@@ -50,9 +51,12 @@ int main(int count, char** arguments) {
     CLI::App program("Plumbline: total Lagrangian SPH for solids, checked against mathematics", "plumb");
     program.set_version_flag("--version", plumb::version_text());
     plumb::add_all_commands(program, session);
-    return run(program, session, count, arguments);
+    std::vector<std::string> words =
+        plumb::with_help_option(program, {arguments + std::min(count, 1), arguments + count});
+    std::reverse(words.begin(), words.end());  // as CLI11 takes a list
+    return run(program, session, std::move(words));
   } catch (const plumb::InputError& error) {
-    return complain(std::string("plumb: ") + error.what(), bad_input);
+    return complain("plumb: " + plumb::message_of(error), bad_input);
   } catch (const std::bad_alloc&) {
     return complain("plumb: out of memory; try a coarser spacing or fewer particles", failed);
   } catch (const std::exception& error) {

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "plumb/origin.hpp"
 #include "plumb/provenance.hpp"
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
@@ -42,15 +43,14 @@ std::string thread_count(const std::string& text) {
   return fmt::format("\"{}\" is not a whole number from 1 to {}", text, most_threads);
 }
 
-/// The result with what a reader needs to place it in front.
+}  // namespace
+
 nlohmann::ordered_json with_origin(const nlohmann::ordered_json& result, const std::string& command_line) {
   nlohmann::ordered_json whole{
       {"plumbline", version()}, {"command", command_line}, {"provenance", provenance()}};
   whole.update(result);
   return whole;
 }
-
-}  // namespace
 
 std::ostream& Session::text() const {
   static std::ostream nowhere(nullptr);
