@@ -80,8 +80,7 @@ TEST(Units, EveryPrefixHasItsPowerOfTen) {
       expect("3 " + prefix + unit, {3 * powers_of_ten().at(prefix) * one.in_si, one.dimension});
     }
     for (const char* unit : {"rad", "deg", "bar", "t", "h"})
-      if (prefix + unit != "min")
-        EXPECT_THROW(parse_measured("1 " + prefix + unit), InputError) << prefix << unit;
+      EXPECT_THROW(parse_measured("1 " + prefix + unit), InputError) << prefix << unit;
   }
 }
 

@@ -65,8 +65,12 @@ double number_at(const Json& result, const std::string& paths) {
 
 /// The mean or the largest value of a column of the run's series from a time on.
 double over_window(const Json& result, const std::string& column, const Reading& reading) {
-  const Json& times = entry_at(result, "series/time [s]");
-  const Json& values = entry_at(result, "series/" + column);
+  const Json series = result.value("series", Json::object());
+  if (!series.contains("time [s]") || !series.contains(column))
+    throw InputError(fmt::format("no column \"{}\" over time", column), "the run wrote no such series",
+                     "let it have output.series = true");
+  const Json& times = series.at("time [s]");
+  const Json& values = series.at(column);
   double sum = 0, largest = -std::numeric_limits<double>::infinity();
   std::size_t count = 0;
   for (std::size_t k = 0; k < times.size(); ++k) {
