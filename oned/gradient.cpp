@@ -55,21 +55,36 @@ std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kerne
   return F;
 }
 
-std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
-                                       const std::vector<Method>& methods) {
+GradientRow GradientTable::row(std::size_t k) const {
+  const Column& column = columns[k / X.size()];
+  const std::size_t i = k % X.size();
+  const double right = exact[column.field][i], value = column.value[i];
+  return {
+      column.method.estimator, column.method.pair, fields[column.field], X[i], right, value, value - right};
+}
+
+GradientTable gradient_table(const Discretisation& discretisation, const std::vector<Field>& fields,
+                             const std::vector<Method>& methods) {
   const Cloud<1> cloud = make_cloud(discretisation);
   const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
-  std::vector<GradientRow> rows;
+  GradientTable table;
+  for (const auto& X : cloud.X) table.X.push_back(X[0]);
   for (const Field& field : fields) {
     const std::vector<double> x = values(field, cloud.X);
-    const std::vector<double> exact = derivatives(field, cloud.X);
-    for (const Method& method : methods) {
-      const std::vector<double> F = estimate(cloud, kernel, discretisation.support(), method, x);
-      for (std::size_t i = 0; i < F.size(); ++i)
-        rows.push_back(
-            {method.estimator, method.pair, field.text, cloud.X[i][0], exact[i], F[i], F[i] - exact[i]});
-    }
+    table.exact.push_back(derivatives(field, cloud.X));
+    table.fields.push_back(field.text);
+    for (const Method& method : methods)
+      table.columns.push_back(
+          {method, table.fields.size() - 1, estimate(cloud, kernel, discretisation.support(), method, x)});
   }
+  return table;
+}
+
+std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
+                                       const std::vector<Method>& methods) {
+  const GradientTable table = gradient_table(discretisation, fields, methods);
+  std::vector<GradientRow> rows;
+  for (std::size_t k = 0; k < table.size(); ++k) rows.push_back(table.row(k));
   return rows;
 }
 

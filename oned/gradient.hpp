@@ -45,7 +45,26 @@ struct GradientRow {
   double error;  ///< value - exact
 };
 
-/// Every field by every method at every particle.
+/// Every field by every method at every particle, each number held once.
+struct GradientTable {
+  struct Column {
+    Method method;
+    std::size_t field;          ///< of `fields`
+    std::vector<double> value;  ///< the estimate at every particle
+  };
+  std::vector<double> X;                   ///< [m]
+  std::vector<std::string> fields;         ///< as typed
+  std::vector<std::vector<double>> exact;  ///< dx/dX of every field at every particle
+  std::vector<Column> columns;             ///< field by field, the methods within
+
+  std::size_t size() const { return columns.size() * X.size(); }
+  /// Row k: column by column, the particles within.
+  GradientRow row(std::size_t k) const;
+};
+GradientTable gradient_table(const Discretisation& discretisation, const std::vector<Field>& fields,
+                             const std::vector<Method>& methods);
+
+/// The same as rows.
 std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
                                        const std::vector<Method>& methods);
 

@@ -15,6 +15,7 @@
 #include "plumbline/output/sitting.hpp"
 #include "plumbline/output/table.hpp"
 #include "reports/page/page.hpp"
+#include "reports/run/expected_times.hpp"
 #include "reports/run/process.hpp"
 #include "reports/run/side_by_side.hpp"
 #include "reports/run/store.hpp"
@@ -60,11 +61,13 @@ std::vector<const Job*> jobs_of(const std::vector<SectionPlan>& plans, bool alon
 class JobRunner {
  public:
   JobRunner(const ReportOptions& options, std::size_t total, ReportSummary& summary)
-      : options_(options), total_(total), summary_(summary) {}
+      : options_(options),
+        total_(total),
+        summary_(summary),
+        times_(fs::absolute(options.out) / "store" / "times.json") {}
 
   void run(const std::vector<const Job*>& jobs, int side_by_side, int threads_of_each) {
-    const run::Store store(fs::absolute(options_.out) / "store", options_.program, options_.root,
-                           threads_of_each, options_.code);
+    const run::Store store = store_for(threads_of_each);
     run::side_by_side(
         jobs.size(), side_by_side, [&](std::size_t n) { take(*jobs[n], store); }, options_.go_on);
     if (options_.go_on && !options_.go_on())
@@ -73,9 +76,23 @@ class JobRunner {
                       "from there",
                       finished_, total_));
   }
+  /// Counts what is to be done, so that the share done is one of time and not of studies.
+  void plan(const std::vector<const Job*>& jobs, int threads_of_each) {
+    const run::Store store = store_for(threads_of_each);
+    std::vector<std::string> all, stored;
+    for (const Job* job : jobs) {
+      all.push_back(job->id);
+      if (store.has(*job)) stored.push_back(job->id);
+    }
+    times_.plan(all, stored);
+  }
   Results results() && { return std::move(results_); }
 
  private:
+  run::Store store_for(int threads_of_each) const {
+    return {fs::absolute(options_.out) / "store", options_.program, options_.root, threads_of_each,
+            options_.code};
+  }
   void take(const Job& job, const run::Store& store) {
     {
       const std::lock_guard lock(mutex_);
@@ -91,18 +108,20 @@ class JobRunner {
       replace_file(options_.out / "data" / (job.id + ".json"),
                    run::content_of(result.folder / "result.json"));
     }
+    times_.finished(job.id, result.failure.empty() ? std::optional(result.cpu_s) : std::nullopt);
+    times_.save();
     results_.add(job.id, std::move(result));
     tell(job);
   }
   void tell(const Job& job) const {
-    if (options_.progress)
-      options_.progress(static_cast<double>(summary_.jobs) / static_cast<double>(total_), job.id);
+    if (options_.progress) options_.progress(times_.fraction(), job.id);
   }
 
   const ReportOptions& options_;
   std::size_t total_, finished_ = 0;
   std::mutex mutex_;  ///< guards what follows, and finished_
   ReportSummary& summary_;
+  run::ExpectedTimes times_;
   Results results_;
 };
 
@@ -112,6 +131,8 @@ Results run_jobs(const std::vector<SectionPlan>& plans, const ReportOptions& opt
   const int cores =
       options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
   JobRunner runner(options, together.size() + alone.size(), summary);
+  runner.plan(together, 1);
+  runner.plan(alone, cores);
   runner.run(together, cores, 1);
   runner.run(alone, 1, cores);
   return std::move(runner).results();

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "plumbline/input/spelling.hpp"
+
 namespace plumb {
 namespace {
 
@@ -83,10 +85,13 @@ std::string trimmed(const std::string& text) {
 TomlValue& item_of_array(TomlValue& array, const std::string& part, const std::string& path) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-  if (error != std::errc{} || end != part.data() + part.size() || index >= array.items.size())
-    throw SceneError({override_file, 0}, path, fmt::format("no item \"{}\"", part),
-                     fmt::format("the scene has {} there, counted from 0", array.items.size()), "");
-  return array.items[index];
+  const bool counted = error == std::errc{} && end == part.data() + part.size();
+  if (counted && index < array.items.size()) return array.items[index];
+  const auto at = path.rfind("." + part);
+  const std::string numbered = at == std::string::npos ? "" : path.substr(0, at) + ".0" + path.substr(at);
+  throw SceneError({override_file, 0}, path, fmt::format("no item \"{}\"", part),
+                   fmt::format("the scene has {} there, counted from 0", array.items.size()),
+                   counted || array.items.empty() ? "" : fmt::format("write {}", numbered));
 }
 
 /// The table entry `name`, made as an empty table if it is not there.
@@ -214,7 +219,7 @@ TomlValue parse_document(const std::string& text, const std::string& file_name,
     const auto at = error.source().begin;
     throw SceneError({file_name, static_cast<long>(at.line)}, "",
                      fmt::format("not valid TOML at column {}", at.column), std::string(error.description()),
-                     "");
+                     hint_at_decimal_comma(text, static_cast<std::size_t>(at.line)));
   }
   root.where.line = 0;
   std::vector<std::string> overridden;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/input/spelling.hpp"
 
 namespace plumb {
 
@@ -37,7 +38,8 @@ std::string known_variables(int dimension, Variables variables) {
 
 std::string suggestion_for(const std::string& name, int dimension, const mu::Parser& parser) {
   if (name == "x" || name == "y" || name == "z") return "capital letters stand for the reference coordinates";
-  if (name == "t") return "this formula does not change in time";
+  if (name == "t" || name == "T" || name == "time")
+    return parser.GetVar().contains("t") ? "write t for the time" : "what it says holds for the whole run";
   if (name == "Z" || name == "Y") return fmt::format("the dimension is {}", dimension);
   std::vector<std::string> known;
   for (const auto& entry : parser.GetVar()) known.push_back(entry.first);
@@ -115,6 +117,9 @@ Expression::Expression(std::string text, int dimension, std::string where, Varia
   } catch (const mu::Parser::exception_type& error) {
     throw syntax_error(compiled->prefix(), compiled->text, dimension, variables, parser, error);
   }
+  if (const auto corrected = without_decimal_comma(compiled->text))
+    throw InputError(fmt::format("{}in \"{}\": a decimal comma", compiled->prefix(), compiled->text),
+                     "decimals follow a point", fmt::format("write \"{}\"", *corrected));
   if (results != 1)
     throw InputError(fmt::format("{}in \"{}\": {} values", compiled->prefix(), compiled->text, results),
                      "a formula has one", "write an array of formulas");

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "plumbline/input/spelling.hpp"
+
 namespace plumb {
 
 Section::Section(const TomlValue& table, std::string path) : table_(&table), path_(std::move(path)) {}
@@ -192,7 +194,7 @@ std::vector<std::string> Section::texts(const std::string& key) const {
 
 Expression Section::as_formula(const TomlValue& value, const std::string& key, int dimension,
                                const Quantity& expected, Variables variables) const {
-  if (!value.is(TomlValue::Kind::text) || looks_measured(value.text))
+  if (!value.is(TomlValue::Kind::text) || is_quantity(value.text))
     return Expression::constant(as_number(value, key, expected, Sign::any));
   try {
     return Expression(value.text, dimension, text_of(value.where) + ": " + dotted(key), variables);

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/input/spelling.hpp"
+#include "plumbline/input/unit_names.hpp"
 
 namespace plumb {
 namespace {
@@ -61,46 +64,74 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-InputError unknown_unit(std::string_view symbol) {
-  std::vector<std::string> known{"kg", "mm", "cm", "ms", "us", "kPa", "MPa", "GPa", "kN", "kJ"};
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool same_but_for_case(std::string_view a, std::string_view b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c + 0; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return small(x) == small(y); });
+}
+
+/// The nearest unit: one that differs in the size of letters only ("mpa"), or else by few letters.
+std::string nearest_unit(std::string_view symbol) {
+  // the common ones first: "mpa" is meant as MPa, not as mPa
+  std::vector<std::string> known{"kg", "mm", "cm", "ms", "us", "kPa", "MPa", "GPa", "kN", "MN", "kJ", "kW"};
   for (const auto& unit : units) known.emplace_back(unit.symbol);
-  const std::string near = nearest_name(symbol, known);
+  for (const auto& unit : known)
+    if (same_but_for_case(symbol, unit)) return unit;
+  return nearest_name(symbol, known);
+}
+
+InputError unknown_unit(std::string_view symbol) {
+  std::string prefixed, others;
+  for (const auto& unit : units) (unit.prefixed ? prefixed : others) += " " + std::string(unit.symbol);
+  const std::string near = nearest_unit(symbol);
   return {fmt::format("unknown unit \"{}\"", symbol),
-          "units: m g s Pa N J W with prefixes n u m c k M G; rad deg "
-          "rev rpm min h t bar %",
+          fmt::format("units:{} with prefixes n u m c k M G;{}", prefixed, others),
           near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)};
 }
 
 /// The unit of a symbol, whole first ("min" is not milli-inch), then prefix and rest.
-Unit find_unit(std::string_view symbol) {
+std::optional<Unit> find_unit(std::string_view symbol) {
   for (const auto& unit : units)
     if (unit.symbol == symbol) return unit;
   for (const auto& prefix : prefixes) {
     if (!symbol.starts_with(prefix.symbol)) continue;
     for (const auto& unit : units)
       if (unit.prefixed && unit.symbol == symbol.substr(prefix.symbol.size()))
-        return {symbol, unit.factor * prefix.factor, unit.dimension, false};
+        return Unit{symbol, unit.factor * prefix.factor, unit.dimension, false};
   }
-  throw unknown_unit(symbol);
+  return std::nullopt;
+}
+
+/// "m^-3", "m-3" and "m3" as symbol and power.
+std::pair<std::string_view, int> split_power(std::string_view factor) {
+  const auto hat = factor.find('^');
+  std::size_t end = factor.size();
+  while (hat == std::string_view::npos && end > 0 && is_digit(factor[end - 1])) --end;
+  if (end < factor.size() && end > 0 && factor[end - 1] == '-') --end;
+  if (hat == std::string_view::npos && end == factor.size()) return {factor, 1};
+  const std::string_view digits = factor.substr(hat == std::string_view::npos ? end : hat + 1);
+  int power = 0;
+  const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
+  if (error != std::errc{} || last != digits.data() + digits.size() || std::abs(power) > 9)
+    throw InputError(fmt::format("\"{}\" is not a power of a unit", factor),
+                     "after ^ stands a whole number from -9 to 9", "write for example \"kg/m^3\"");
+  return {factor.substr(0, hat == std::string_view::npos ? end : hat), power};
 }
 
 /// "m^-3": multiplies `result` by the unit to the power (times sign).
 void multiply(Measured& result, std::string_view factor, int sign) {
-  const auto hat = factor.find('^');
-  int power = 1;
-  if (hat != std::string_view::npos) {
-    const std::string_view digits = factor.substr(hat + 1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
-    if (error != std::errc{} || end != digits.data() + digits.size() || std::abs(power) > 9)
-      throw InputError(fmt::format("\"{}\" is not a power of a unit", factor),
-                       "after ^ stands a whole number from -9 to 9", "");
-  }
-  const Unit unit = find_unit(factor.substr(0, hat));
+  auto [symbol, power] = split_power(factor);
+  const auto unit = find_unit(symbol);
+  if (!unit) throw unknown_unit(symbol);
   power *= sign;
-  result.value *= std::pow(unit.factor, power);
-  result.dimension.mass += power * unit.dimension.mass;
-  result.dimension.length += power * unit.dimension.length;
-  result.dimension.time += power * unit.dimension.time;
+  result.value *= std::pow(unit->factor, power);
+  result.dimension.mass += power * unit->dimension.mass;
+  result.dimension.length += power * unit->dimension.length;
+  result.dimension.time += power * unit->dimension.time;
 }
 
 /// The number in front; the rest of the text is left in `rest`.
@@ -117,14 +148,44 @@ bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == '*' || c == '/';
 }
 
+/// "1/3" and "1/3 m": quantities are not computed.
+void refuse_fraction(std::string_view text, double number, std::string_view rest) {
+  if (!rest.starts_with('/')) return;
+  std::string_view unit;
+  const auto denominator = leading_number(trimmed(rest.substr(1)), unit);
+  if (!denominator || *denominator == 0) return;
+  const std::string value = fmt::format("{:.4g}", number / *denominator);
+  throw InputError(
+      fmt::format("\"{}\" is a fraction", text), "a quantity is one number, which is not computed",
+      unit.empty() ? fmt::format("write {}, with as many digits as you need", value)
+                   : fmt::format("write \"{} {}\", with as many digits as you need", value, unit));
+}
+
 }  // namespace
 
-Measured parse_measured(std::string_view text) {
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const auto& unit : units) names.emplace_back(unit.symbol);
+  return names;
+}
+
+std::vector<std::string> prefix_names() {
+  std::vector<std::string> names;
+  for (const auto& prefix : prefixes) names.emplace_back(prefix.symbol);
+  return names;
+}
+
+Measured parse_measured(std::string_view written) {
+  const std::string text = in_plain_characters(written);
+  if (const auto corrected = without_decimal_comma(text))
+    throw InputError(fmt::format("\"{}\" has a decimal comma", written), "decimals follow a point",
+                     fmt::format("write \"{}\"", *corrected));
   std::string_view rest;
   const auto number = leading_number(trimmed(text), rest);
   if (!number)
     throw InputError(fmt::format("\"{}\" is not a quantity", text), "it must begin with a number",
                      "write for example \"17 MPa\"");
+  refuse_fraction(text, *number, rest);
   Measured result{1.0, {}};
   int sign = 1;
   bool operand_due = false;

@@ -39,9 +39,9 @@ struct Measured {
 };
 
 /// Reads "17 MPa", "0.2 s", "5mm", "1.1 g/cm^3", "9.81 m s^-2", "90 deg", "30 %". Units: m g s rad N Pa J W
-/// with the prefixes n u µ m c k M G; min, h, deg, rev, rpm, t, bar, %. Products by * or a space, one or more
-/// /, powers by ^. A number with no unit is a pure number. Throws InputError (problem and why, without a key
-/// or line).
+/// with the prefixes n u µ m c k M G; min, h, deg, rev, rpm, t, bar, %. Products by *, · or a space, one or
+/// more /, powers as m^3, m3 or m³. A number with no unit is a pure number. Throws InputError (problem, why and
+/// suggestion, without key or line).
 Measured parse_measured(std::string_view text);
 
 /// True if the text begins as a number with a unit does and no formula does: "5 m/s".

@@ -8,24 +8,35 @@
 #include <cstring>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/output/pieces.hpp"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// All of `content` to the new or truncated file; the error number, 0 for none.
-int write_all(const fs::path& path, std::string_view content) {
+using Make = std::function<void(const WritePiece& write)>;
+
+/// Writes a piece to an open file; the error number, 0 for none.
+int write_piece(int file, std::string_view piece) {
+  while (!piece.empty()) {
+    const ssize_t written = ::write(file, piece.data(), piece.size());
+    if (written >= 0)
+      piece.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return errno;
+  }
+  return 0;
+}
+
+/// All pieces to the new or truncated file; the error number, 0 for none.
+int write_all(const fs::path& path, const Make& make) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) return errno;
   int error = 0;
-  while (!content.empty() && error == 0) {
-    const ssize_t written = ::write(file, content.data(), content.size());
-    if (written >= 0)
-      content.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR)
-      error = errno;
-  }
+  make([&](std::string_view piece) {
+    if (error == 0) error = write_piece(file, piece);
+  });
   // A pipe or a device cannot be flushed to the disk: EINVAL is no failure.
   if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) error = errno;
   if (::close(file) != 0 && error == 0) error = errno;
@@ -80,15 +91,19 @@ void make_folder(const fs::path& path, std::string_view option) {
 }
 
 void replace_file(const fs::path& path, std::string_view content) {
+  replace_file_in_pieces(path, [content](const WritePiece& write) { write(content); });
+}
+
+void replace_file_in_pieces(const fs::path& path, const Make& make) {
   if (is_special(path)) {
-    if (const int error = write_all(path, content)) throw_write_error(path, error);
+    if (const int error = write_all(path, make)) throw_write_error(path, error);
     return;
   }
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   fs::path temporary = target;
   temporary += fmt::format(".{}.tmp", ::getpid());
-  int error = write_all(temporary, content);
+  int error = write_all(temporary, make);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error == 0) return;
   ::unlink(temporary.c_str());

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumbline/output/bar_line.hpp"
+#include "plumbline/output/terminal.hpp"
+
 namespace plumb {
 
 std::string duration_text(double seconds) {
@@ -30,7 +33,19 @@ std::string rate_text(double elapsed, double fraction, double before) {
     rate *= 60;
     unit = longer;
   }
-  return fmt::format("{:.2g} %/{}", rate, unit);
+  return rate < 9.95 ? fmt::format("{:.2g} %/{}", rate, unit) : fmt::format("{:.0f} %/{}", rate, unit);
+}
+
+std::string bar_line(const std::string& label, double fraction, const std::string& left,
+                     const std::string& note, std::size_t columns) {
+  constexpr std::size_t most_cells = 30, least_cells = 5;
+  const std::string said =
+      fmt::format("{:3.0f} %, {}{}{}", 100 * fraction, left, note.empty() ? "" : ", ", note);
+  const std::size_t around = label.size() + said.size() + 4;  // blanks and brackets
+  const std::size_t cells = std::min(most_cells, columns > around ? columns - around : 0);
+  if (cells < least_cells) return shortened(label + " " + said, columns);
+  const auto filled = static_cast<std::size_t>(fraction * static_cast<double>(cells));
+  return fmt::format("{} [{:#<{}}{:.<{}}] {}", label, "", filled, "", cells - filled, said);
 }
 
 Progress::Style Progress::style_for_stderr(bool quiet) {
@@ -60,14 +75,13 @@ void Progress::draw(double fraction, double elapsed, const std::string& note, do
   const std::string left =
       seconds ? rate_text(elapsed, fraction, before) + ", " + duration_text(*seconds) + " left"
               : "time left unknown";
-  const std::string tail = note.empty() ? "" : ", " + note;
   if (style_ == Style::bar) {
-    constexpr int cells = 30;
-    const int filled = static_cast<int>(fraction * cells);
-    fmt::print(stream_, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %, {}{}\x1b[K", label_, "", filled, "", cells - filled,
-               100 * fraction, left, tail);
+    // the last column stays free: some terminals go to the next line once it is written
+    const auto columns = static_cast<std::size_t>(terminal_columns(::fileno(stream_)) - 1);
+    fmt::print(stream_, "\r{}\x1b[K", bar_line(label_, fraction, left, note, columns));
     open_line_ = true;
   } else {
+    const std::string tail = note.empty() ? "" : ", " + note;
     fmt::print(stream_, "{}: {:.0f} % after {}, {}{}\n", label_, 100 * fraction, duration_text(elapsed), left,
                tail);
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "plumbline/output/table_parts.hpp"
+
 namespace plumb {
 namespace {
 
@@ -26,6 +28,14 @@ std::string short_text(const Cell& cell, int digits) {
 /// Columns of a terminal that UTF-8 text takes: one per code point.
 std::size_t width_of(const std::string& text) {
   return std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xc0') != '\x80'; });
+}
+
+/// One line of cells in columns.
+std::string aligned(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    line += (k ? "  " : "") + cells[k] + std::string(widths[k] - width_of(cells[k]), ' ');
+  return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
 }
 
 }  // namespace
@@ -66,23 +76,33 @@ std::string csv_text(const Table& table) {
   return text;
 }
 
-std::string plain_text(const Table& table, int digits) {
-  std::vector<std::vector<std::string>> lines{table.columns};
-  for (const auto& row : table.rows) {
-    auto& line = lines.emplace_back();
-    for (const auto& cell : row) line.push_back(short_text(cell, digits));
-  }
-  std::vector<std::size_t> widths(table.columns.size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], width_of(line[k]));
+std::vector<std::size_t> column_widths(const Table& table, int digits) {
+  std::vector<std::size_t> widths;
+  for (const auto& column : table.columns) widths.push_back(width_of(column));
+  for (const auto& row : table.rows)
+    for (std::size_t k = 0; k < row.size(); ++k)
+      widths[k] = std::max(widths[k], width_of(short_text(row[k], digits)));
+  return widths;
+}
+
+std::string plain_heading(const Table& table, const std::vector<std::size_t>& widths) {
+  return aligned(table.columns, widths);
+}
+
+std::string plain_rows(const Table& table, const std::vector<std::size_t>& widths, int digits) {
   std::string text;
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t k = 0; k < line.size(); ++k)
-      row += (k ? "  " : "") + line[k] + std::string(widths[k] - width_of(line[k]), ' ');
-    text += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
+  std::vector<std::string> line;
+  for (const auto& row : table.rows) {
+    line.clear();
+    for (const auto& cell : row) line.push_back(short_text(cell, digits));
+    text += aligned(line, widths);
   }
   return text;
+}
+
+std::string plain_text(const Table& table, int digits) {
+  const auto widths = column_widths(table, digits);
+  return plain_heading(table, widths) + plain_rows(table, widths, digits);
 }
 
 }  // namespace plumb

@@ -61,6 +61,9 @@ std::vector<std::string> material_names() {
 std::vector<std::string> shape_names() {
   return shape_catalogue_names();
 }
+std::vector<std::string> cloud_names() {
+  return {"lattice", "blue-noise"};
+}
 std::vector<std::string> layout_names() {
   return {"cell", "node", "mirror"};
 }
@@ -82,6 +85,32 @@ std::vector<std::string> face_names(int dimension) {
   std::vector<std::string> names{"x-", "x+", "y-", "y+"};
   if (dimension == 3) names.insert(names.end(), {"z-", "z+"});
   return names;
+}
+
+std::vector<std::string> compatible_volume_names() {
+  return {"unknown", "fixed"};
+}
+std::vector<std::string> compatible_surface_names() {
+  return {"shape", "estimated"};
+}
+
+std::vector<SceneChoice> scene_choices() {
+  return {{"body.shape", "shape", shape_names()},
+          {"body.cloud", "cloud", cloud_names()},
+          {"body.layout", "layout", layout_names()},
+          {"material.model", "material", material_names()},
+          {"method.kernel", "kernel", kernel_names()},
+          {"method.pair", "pair", pair_names()},
+          {"method.gradient", "gradient", gradient_names()},
+          {"method.momentum", "momentum", momentum_names()},
+          {"method.integrator", "integrator", integrator_names()},
+          {"method.wave_speed", "wave speed", wave_speed_names()},
+          {"compatible.start", "start of compatible bonds", start_table_names()},
+          {"compatible.volumes", "volumes of compatible bonds", compatible_volume_names()},
+          {"compatible.surface", "surface of compatible bonds", compatible_surface_names()},
+          {"jst.outer", "outer level of jst", outer_laplacian_names()},
+          {"boundary.0.kind", "boundary kind", boundary_kind_names()},
+          {"boundary.0.face", "face", face_names(3)}};
 }
 
 }  // namespace plumb

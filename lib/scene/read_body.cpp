@@ -189,7 +189,7 @@ Body with_spacing(Body body, double d) {
 Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
   body.shape = section.choice_or("shape", body.shape, shape_names());
-  body.cloud = section.choice_or("cloud", body.cloud, {"lattice", "blue-noise"});
+  body.cloud = section.choice_or("cloud", body.cloud, cloud_names());
   if (body.shape == "box")
     read_box(section, body, dimension);
   else

@@ -31,8 +31,8 @@ Compatible read_compatible(const Section& root, const Method& method) {
     section->fail("", fmt::format("contradicts gradient = \"{}\"", method.gradient),
                   "it says how the table of gradient = \"compatible\" is made", "leave one of them out");
   compatible.start = section->choice_or("start", compatible.start, start_table_names());
-  compatible.volumes = section->choice_or("volumes", compatible.volumes, {"unknown", "fixed"});
-  compatible.surface = section->choice_or("surface", compatible.surface, {"shape", "estimated"});
+  compatible.volumes = section->choice_or("volumes", compatible.volumes, compatible_volume_names());
+  compatible.surface = section->choice_or("surface", compatible.surface, compatible_surface_names());
   if (section->has("cache")) compatible.cache = section->text("cache");
   section->reject_unknown();
   return compatible;

@@ -42,7 +42,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
     root.has(name);
   for (const auto& name : method_sections()) root.has(name);
   if (!root.has("scene") && root.has("study"))
-    root.fail("study", "this file is a study", "a scene has [scene]", "plumb mms is for studies");
+    root.fail("study", "this file is a study", "a scene has [scene]", "use plumb mms for studies");
   root.reject_unknown();
   Scene scene;
   const Section head = root.section("scene");
@@ -52,7 +52,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.dimension = static_cast<int>(std::min(head.integer_or("dimension", 0, 0), 9L));
   if (scene.dimension != 2 && scene.dimension != 3)
     head.fail("dimension", std::to_string(scene.dimension) + " is not possible",
-              "bodies have 2 (plane strain) or 3", "plumb oned studies one dimension");
+              "bodies have 2 (plane strain) or 3", "use plumb oned for one dimension");
   scene.end_time = head.optional_number("end_time", quantity::time, Sign::positive);
   scene.max_steps = head.optional_integer("max_steps", 1);
   head.reject_unknown();

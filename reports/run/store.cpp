@@ -96,6 +96,14 @@ JobResult Store::get(const Job& job) const {
   return result;
 }
 
+bool Store::has(const Job& job) const {
+  try {
+    return has_result(folder_ / key(job));
+  } catch (const InputError&) {  // an input that cannot be read
+    return false;
+  }
+}
+
 JobResult Store::compute(const Job& job, JobResult result) const {
   // of its own, because another job may make the same call at the same time
   const fs::path work = result.folder.string() + "." + job.id + ".part";

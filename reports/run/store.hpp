@@ -20,6 +20,8 @@ class Store {
   /// The stored result, or a fresh one. A job that fails (exit code other than 0 and 1, or no JSON) or was
   /// interrupted is not kept.
   JobResult get(const Job& job) const;
+  /// Whether the result is stored, so that get() costs nothing.
+  bool has(const Job& job) const;
 
  private:
   std::string key(const Job& job) const;

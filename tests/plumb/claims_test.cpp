@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iomanip>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "places.hpp"
 #include "tests/support/program.hpp"
@@ -92,6 +95,78 @@ TEST(Ledger, ANumberThatTurnsTheStatusFailsTheCheck) {
   const auto outcome = check("reproduced", 1e-15, "finding = \"planted\"\n");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.error.find("the numbers make it \"open\""), std::string::npos) << outcome.error;
+}
+
+/// Columns of a series, read here a second time.
+std::map<std::string, std::vector<double>> series_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line, cell;
+  std::getline(in, line);
+  std::vector<std::string> names;
+  for (std::istringstream heading(line); std::getline(heading, cell, ',');) names.push_back(cell);
+  std::map<std::string, std::vector<double>> columns;
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    for (const auto& name : names) {
+      std::getline(cells, cell, ',');
+      columns[name].push_back(std::stod(cell));
+    }
+  }
+  return columns;
+}
+
+/// A reading over a window of a run, against the series of the same run.
+TEST(Ledger, AWindowIsTheMeanOrTheLargestOfItsRows) {
+  const test::TemporaryFolder folder;
+  const std::string command =
+      "run verification/scenes/spinning-plate.toml --set scene.end_time=0.02 --set body.particles=[5,5] "
+      "--set "
+      "output.every=0.001";
+  ASSERT_EQ(test::run_shell("cd " + root + " && " PLUMB_EXECUTABLE " " + command + " --out " +
+                            (folder / "run").string())
+                .code,
+            0);
+  const auto series = series_of(folder / "run" / "series.csv");
+  const auto &times = series.at("time [s]"), &strain = series.at("strain energy [J/m]");
+  double sum = 0, largest = 0, count = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] < 0.01) continue;
+    sum += strain[k];
+    largest = std::max(largest, strain[k]);
+    ++count;
+  }
+  ASSERT_GT(count, 5);
+  ASSERT_GT(std::abs(strain.back() / (sum / count) - 1), 0.01) << "an instant is something else";
+  std::ofstream ledger(folder / "one.toml");
+  ledger
+      << "paper = \"000\"\n[[claim]]\nid = \"one\"\nwhere = \"5.2\"\nclaim = \"swings\"\npublished = \"0\"\n"
+      << "at_least = 0\nstatus = \"reproduced\"\n";
+  for (const auto& [take, value] : {std::pair("mean", sum / count), {"largest", largest}})
+    ledger << "[[claim.reading]]\nname = \"" << take << "\"\ntake = \"" << take
+           << "\"\nfrom = \"10 ms\"\nat = \"strain energy [J/m]\"\n"
+           << "command = \"" << command << "\"\ntolerance = 1e-6\nvalue = " << std::setprecision(12) << value
+           << "\n";
+  ledger.close();
+  const auto outcome = test::run_plumb("claims --check --json - --threads 1 --root " + root + " --ledger " +
+                                       folder.path().string() + " --store " + (folder / "store").string());
+  EXPECT_EQ(outcome.code, 0) << outcome.error;
+  EXPECT_EQ(Json::parse(outcome.out).at("measured").size(), 2u);
+}
+
+TEST(Ledger, TheCheckShowsMeasuredBesideRecorded) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "one.toml")
+      << "paper = \"000\"\n[[claim]]\nid = \"one\"\nwhere = \"4.1\"\nclaim = \"exact\"\npublished = "
+         "\"0\"\nat_most = 1e-9\n"
+      << "status = \"open\"\n[[claim.reading]]\nname = \"W1\"\nat = \"rows/estimator=standard;n=40/max\"\n"
+      << "command = \"oned study --n 20,40 --field poly:1,0,1 --estimator standard\"\nvalue = 0.19\n";
+  const auto outcome = test::run_plumb("claims --check --ledger " + folder.path().string() + " --store " +
+                                       (folder / "store").string());
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(std::regex_replace(outcome.out, std::regex("\\s+"), " ")
+                .find("W1: 0.19 (CHANGED: recorded 0.19, measured 0.196962"),
+            std::string::npos)
+      << outcome.out;
 }
 
 TEST(Ledger, AWidthOfHalfASpacingIsRefused) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -11,6 +12,7 @@
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
 #include "plumbline/core/error.hpp"
+#include "plumbline/core/sentences.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/output/json.hpp"
 #include "plumbline/output/sitting.hpp"
@@ -46,14 +48,16 @@ int complain(const std::exception& error, const std::string& text, int code,
 }
 
 /// Parses, checks at the door, runs the chosen subcommand; the exit code.
-int run(CLI::App& program, plumb::Session& session, int count, char** arguments) {
+int run(CLI::App& program, plumb::Session& session, const std::vector<std::string>& words) {
   try {
-    program.parse(count, arguments);
+    std::vector<std::string> list = plumb::with_help_option(program, words);
+    std::reverse(list.begin(), list.end());  // as CLI11 takes a list
+    program.parse(std::move(list));
   } catch (const CLI::Success& success) {  // --help, --version
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
     const std::string text = plumb::usage_error(program, error);
-    return complain(plumb::InputError(text, "", ""), text, bad_input, words_of(count, arguments));
+    return complain(plumb::InputError(text, "", ""), text, bad_input, words);
   }
   if (!session.action) {
     std::cout << plumb::first_steps(program);
@@ -73,9 +77,9 @@ int main(int count, char** arguments) {
     CLI::App program("Plumbline: total Lagrangian SPH for solids, checked against mathematics", "plumb");
     program.set_version_flag("--version", plumb::version_text());
     plumb::add_all_commands(program, session);
-    return run(program, session, count, arguments);
+    return run(program, session, words_of(count, arguments));
   } catch (const plumb::InputError& error) {
-    return complain(error, std::string("plumb: ") + error.what(), bad_input, words_of(count, arguments));
+    return complain(error, "plumb: " + plumb::message_of(error), bad_input, words_of(count, arguments));
   } catch (const plumb::SittingEnded& ended) {  // no error: the same call goes on from there
     return complain(std::string("plumb: ") + ended.what(), failed);
   } catch (const std::bad_alloc&) {

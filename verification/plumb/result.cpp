@@ -3,7 +3,7 @@
 #include <array>
 
 #include "plumb/provenance.hpp"
-#include "plumbline/scene/scene_error.hpp"
+#include "plumbline/input/scene_error.hpp"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
-#include "plumbline/core/error.hpp"
+#include "plumbline/core/sentences.hpp"
 
 namespace plumb {
 namespace {
@@ -37,10 +38,11 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 std::string unexpected(const CLI::App& app, const std::string& path, const std::string& argument) {
   if (argument.size() > 1 && argument[0] == '-')
-    return unknown_name("option", argument.substr(0, argument.find('=')), option_names(app)).what();
+    return message_of(unknown_name("option", argument.substr(0, argument.find('=')), option_names(app)));
   const auto commands = command_names(app);
-  if (!commands.empty()) return unknown_name("command", argument, commands).what();
-  return fmt::format("unexpected argument \"{}\", see {} --help", argument, path);
+  if (!commands.empty()) return message_of(unknown_name("command", argument, commands));
+  return sentences(fmt::format("unexpected argument \"{}\"", argument), "",
+                   fmt::format("see {} --help", path));
 }
 
 }  // namespace
@@ -89,7 +91,7 @@ std::string first_steps(const CLI::App& program) {
   for (const CLI::App* command : program.get_subcommands(any))
     text += fmt::format("  {:<{}}  {}\n", command->get_name(), width, command->get_description());
   return text +
-         "\nplumb COMMAND --help explains one, with an example; plumb manual | man -l - explains all.\n"
+         "\nplumb help COMMAND explains one, with an example; plumb manual | man -l - explains all.\n"
          "plumb --version says what this build is.\n";
 }
 
@@ -107,13 +109,36 @@ std::string shell_line(const std::vector<std::string>& arguments) {
   return line;
 }
 
+std::vector<std::string> with_help_option(const CLI::App& program, std::vector<std::string> arguments) {
+  const CLI::App* app = &program;
+  bool asked = false;
+  std::vector<std::string> words;
+  for (const auto& argument : arguments) {
+    const auto commands = command_names(*app);
+    if (commands.empty()) break;
+    if (!asked && argument == "help") {
+      asked = true;
+      continue;
+    }
+    if (std::find(commands.begin(), commands.end(), argument) == commands.end()) {
+      if (asked) throw unknown_name("command", argument, commands);
+      break;
+    }
+    words.push_back(argument);
+    app = app->get_subcommand(argument);
+  }
+  if (!asked) return arguments;
+  if (!words.empty()) words.emplace_back("--help");
+  return words;
+}
+
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   std::string path;
   const CLI::App* app = culprit(program, path);
   const auto left = app->remaining();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !left.empty())
     return fmt::format("{}: {}", path, unexpected(*app, path, left.front()));
-  return fmt::format("{}: {}, see {} --help", path, error.what(), path);
+  return sentences(fmt::format("{}: {}", path, error.what()), "", fmt::format("see {} --help", path));
 }
 
 }  // namespace plumb

@@ -51,6 +51,11 @@ std::string first_steps(const CLI::App& program);
 /// The arguments as one line that a shell takes back, with "plumb" for the program.
 std::string shell_line(const std::vector<std::string>& arguments);
 
+/// The arguments with the word "help" in the place of a subcommand put as --help behind what it is about:
+/// "help oned study" and "oned help study" as "oned study --help"; "help" alone as nothing. Throws InputError
+/// for a subcommand that is not there.
+std::vector<std::string> with_help_option(const CLI::App& program, std::vector<std::string> arguments);
+
 /// The message for a command line that cannot be parsed: names the nearest valid option or subcommand.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 

@@ -28,6 +28,8 @@ TEST(Progress, RateHasAUnitThatFits) {
   EXPECT_EQ(rate_text(10, 0.75, 0.5), "2.5 %/s") << "only what was done in this sitting";
   EXPECT_EQ(rate_text(100, 0.5, 0), "30 %/min");
   EXPECT_EQ(rate_text(3600, 0.12, 0), "12 %/h");
+  EXPECT_EQ(rate_text(0.5, 0.65, 0), "130 %/s") << "not 1.3e+02";
+  EXPECT_EQ(rate_text(1, 0.0997, 0), "10 %/s");
   EXPECT_EQ(rate_text(10, 0.4, 0.4), "");
 }
 

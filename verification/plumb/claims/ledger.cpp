@@ -32,6 +32,8 @@ Reading read_reading(const Section& section) {
     r.at = section.text("at");
     r.over = section.text_or("over", "");
     r.over_command = section.text_or("over_command", "");
+    if (section.has("take")) r.take = section.choice_or("take", "mean", {"mean", "largest"});
+    r.from = section.number_or("from", 0, quantity::time);
     r.is = section.text_or("is", "");
     r.times = section.number_or("times", 1, quantity::number);
     r.long_run = section.flag_or("long", false);

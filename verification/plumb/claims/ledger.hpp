@@ -20,9 +20,13 @@ struct Reading {
   std::string at;            ///< where the number stands in that JSON (entry_at()), or "a * b": a product
   std::string over;          ///< divided by the number that stands here; empty: not divided
   std::string over_command;  ///< ... of this command's JSON; empty: of the same
-  std::string is;            ///< not empty: the value is 1 if the text at `at` is this one, else 0
-  double times = 1;          ///< factor to the unit of the claim
-  double value = 0;          ///< found, in the unit of the claim
+  /// "mean" or "largest" over the rows of the run's series from the time `from` on: `at` and `over` are then
+  /// columns ("hourglass share"). For what swings from instant to instant. Empty: `at` stands in the result.
+  std::string take;
+  double from = 0;   ///< [s]
+  std::string is;    ///< not empty: the value is 1 if the text at `at` is this one, else 0
+  double times = 1;  ///< factor to the unit of the claim
+  double value = 0;  ///< found, in the unit of the claim
   /// Relative. The default covers the digits that are written down, and what other instruction sets do to a
   /// smooth run; a larger one has its reason beside it in the ledger.
   double tolerance = 1e-4;

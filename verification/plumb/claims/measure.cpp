@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "plumbline/core/error.hpp"
 
@@ -60,7 +63,56 @@ double number_at(const Json& result, const std::string& paths) {
   return product;
 }
 
+/// The mean or the largest value of a column of the run's series from a time on.
+double over_window(const Json& result, const std::string& column, const Reading& reading) {
+  const Json series = result.value("series", Json::object());
+  if (!series.contains("time [s]") || !series.contains(column))
+    throw InputError(fmt::format("no column \"{}\" over time", column), "the run wrote no such series",
+                     "let it have output.series = true");
+  const Json& times = series.at("time [s]");
+  const Json& values = series.at(column);
+  double sum = 0, largest = -std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k].get<double>() < reading.from) continue;
+    const double value = values[k].get<double>();
+    sum += value;
+    largest = std::max(largest, value);
+    ++count;
+  }
+  if (count < 2)
+    throw InputError(fmt::format("{} rows of \"{}\" from {:g} s on", count, column, reading.from),
+                     "a window has several", "begin it earlier, or let the run go on");
+  return reading.take == "mean" ? sum / static_cast<double>(count) : largest;
+}
+
+/// What stands at the path of a result, or what the reading takes from the column of that name.
+double found_at(const Json& result, const std::string& path, const Reading& reading) {
+  return reading.take.empty() ? number_at(result, path) : over_window(result, path, reading);
+}
+
 }  // namespace
+
+Json columns_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  const auto names = split_at(line, ",");
+  Json columns = Json::object();
+  for (const auto& name : names) columns[name] = Json::array();
+  while (std::getline(lines, line)) {
+    const auto cells = split_at(line, ",");
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      char* end = nullptr;
+      const double value = k < cells.size() ? std::strtod(cells[k].c_str(), &end) : 0;
+      if (cells.size() != names.size() || end == cells[k].c_str() || *end != 0 || !std::isfinite(value))
+        throw InputError(fmt::format("\"{}\" is no row of numbers", line),
+                         fmt::format("the series has {} columns", names.size()), "");
+      columns[names[k]].push_back(value);
+    }
+  }
+  return columns;
+}
 
 const Json& entry_at(const Json& result, const std::string& path) {
   const Json* at = &result;
@@ -76,9 +128,10 @@ const Json& entry_at(const Json& result, const std::string& path) {
 double measured(const Reading& reading, const RunCommand& run) {
   const Json result = run(reading.command);
   if (!reading.is.empty()) return entry_at(result, reading.at) == reading.is ? 1 : 0;
-  double value = reading.times * number_at(result, reading.at);
+  double value = reading.times * found_at(result, reading.at, reading);
   if (!reading.over.empty())
-    value /= number_at(reading.over_command.empty() ? result : run(reading.over_command), reading.over);
+    value /=
+        found_at(reading.over_command.empty() ? result : run(reading.over_command), reading.over, reading);
   return value;
 }
 

@@ -13,7 +13,11 @@ namespace plumb::claims {
 /// ("rows/estimator=improved;n=40/rmse"). Throws InputError if there is none.
 const nlohmann::ordered_json& entry_at(const nlohmann::ordered_json& result, const std::string& path);
 
-/// The JSON of `plumb COMMAND`.
+/// The columns of a CSV file of numbers by their headings, as {"time [s]": [0, 0.01], ..}. Throws InputError
+/// if it is not one.
+nlohmann::ordered_json columns_of(const std::string& csv);
+
+/// The JSON of `plumb COMMAND`; of a run that wrote a series with its columns_of() as "series".
 using RunCommand = std::function<nlohmann::ordered_json(const std::string& command)>;
 
 /// The value of a reading, measured anew. Throws InputError if its command gives no such number.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <filesystem>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
+#include "plumbline/output/terminal.hpp"
 #include "reports/run/store.hpp"
 
 namespace plumb {
@@ -27,12 +29,22 @@ struct ClaimsOptions {
   bool check = false, long_too = false;
 };
 
-/// "2/3 inside: 0.667; first particle: 0.122" for one claim.
-std::string found_text(const claims::Claim& claim) {
+using Remeasured = std::vector<claims::Remeasured>;
+
+/// "2/3 inside: 0.667; first particle: 0.122" for one claim; what was measured again stands beside it, with
+/// more digits where it differs.
+std::string found_text(const claims::Claim& claim, const Remeasured& again = {}) {
   std::string text;
-  for (const auto& r : claim.readings)
-    text += fmt::format("{}{}: {:.4g}{}", text.empty() ? "" : "; ", r.name, r.value,
-                        claim.unit.empty() ? "" : " " + claim.unit);
+  for (const auto& r : claim.readings) {
+    text += fmt::format("{}{}: {:.4g}", text.empty() ? "" : "; ", r.name, r.value);
+    const auto found =
+        std::find_if(again.begin(), again.end(), [&](const auto& m) { return m.reading == &r; });
+    if (found != again.end())
+      text += found->same
+                  ? fmt::format(" (measured {:.4g})", found->value)
+                  : fmt::format(" (CHANGED: recorded {:.8g}, measured {:.8g})", r.value, found->value);
+    if (!claim.unit.empty()) text += " " + claim.unit;
+  }
   return text;
 }
 
@@ -80,17 +92,24 @@ claims::RunCommand runner(const ClaimsOptions& options, int threads) {
       job.arguments.insert(job.arguments.end(), {"--set", "output.vtk=false", "--out", "{out}"});
     const reports::JobResult result = store->get(job);
     if (!result.failure.empty()) throw InputError("plumb " + command, result.failure, "correct the ledger");
-    return Json::parse(reports::run::content_of(result.folder / "result.json"));
+    Json whole = Json::parse(reports::run::content_of(result.folder / "result.json"));
+    const fs::path series = result.folder / "series.csv";
+    if (fs::exists(series)) whole["series"] = claims::columns_of(reports::run::content_of(series));
+    return whole;
   };
 }
 
-int check_claims(const Session& session, const ClaimsOptions& options,
-                 const std::vector<claims::Claim>& ledger, Json& result) {
+claims::CheckResult check_claims(const Session& session, const ClaimsOptions& options,
+                                 const std::vector<claims::Claim>& ledger) {
   Progress progress("claims", session.progress());
-  const auto checked =
-      claims::check(ledger, options.long_too, runner(options, session.threads),
-                    [&](double share, const std::string& id) { progress.update(share, id); });
+  auto checked = claims::check(ledger, options.long_too, runner(options, session.threads),
+                               [&](double share, const std::string& id) { progress.update(share, id); });
   progress.finish();
+  return checked;
+}
+
+/// Puts the numbers that were measured again into the result and says what has changed.
+int tell_changes(const Session& session, const claims::CheckResult& checked, Json& result) {
   Json measured = Json::array();
   for (const auto& r : checked.readings)
     measured.push_back({{"id", r.claim->id},
@@ -108,18 +127,22 @@ int check_claims(const Session& session, const ClaimsOptions& options,
 
 int run_claims(const Session& session, const ClaimsOptions& options) {
   const auto ledger = claims::read_ledger(options.ledger);
+  const auto checked = options.check ? check_claims(session, options, ledger) : claims::CheckResult{};
+  const auto columns = static_cast<std::size_t>(terminal_columns(1));
   Json rows = Json::array(), count = Json::object();
   for (const auto& claim : ledger) {
     rows.push_back(json_of(claim));
     const std::string status(name_of(claim.status));
     count[status] = count.value(status, 0) + 1;
-    session.text() << fmt::format("{:12} {} {}: {} [{}]\n             {}\n", status, claim.paper, claim.where,
-                                  claim.claim, claim.published, found_text(claim));
+    const std::string said =
+        fmt::format("{} {}: {} [{}]", claim.paper, claim.where, claim.claim, claim.published);
+    session.text() << fmt::format("{:12} {}\n             {}\n", status, wrapped(said, columns, 13, 13),
+                                  wrapped(found_text(claim, checked.readings), columns, 13, 13));
   }
   for (const auto& [status, number] : count.items())
     session.text() << fmt::format("{} {}\n", number.get<int>(), status);
   Json result{{"claims", rows}, {"count", count}};
-  const int code = options.check ? check_claims(session, options, ledger, result) : 0;
+  const int code = options.check ? tell_changes(session, checked, result) : 0;
   Json flat = rows;
   for (auto& row : flat) row.erase("readings");
   session.write_csv(flat);

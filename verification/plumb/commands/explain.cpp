@@ -12,6 +12,8 @@
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/scene_options.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/output/terminal.hpp"
+#include "plumbline/scene/limits.hpp"
 
 namespace plumb {
 namespace {
@@ -89,7 +91,9 @@ Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& si
   json["memory"]["peak_rss"] = peak_resident_bytes();
   if (simulation.compatible) json["compatible"] = compatible_json(simulation.compatible.get());
   json["costs"] = json_of(measure_costs(scene));
-  json["warnings"] = simulation.warnings;
+  auto warnings = simulation.warnings;
+  for (const auto& limit : limits_of(scene)) warnings.push_back(limit);
+  json["warnings"] = warnings;
   return json;
 }
 
@@ -98,7 +102,10 @@ int explain(const Session& session, const Scene& scene, const std::string& shows
   Simulation<d> simulation = make_simulation<d>(scene);
   const Json json = explanation(scene, shows, simulation);
   tell(session.text(), json);
-  session.text() << compatible_text(simulation.compatible.get());
+  if (simulation.compatible)
+    session.text() << wrapped(compatible_text(simulation.compatible.get()),
+                              static_cast<std::size_t>(terminal_columns(1)), 0, 2)
+                   << '\n';
   session.write_json(json);
   return 0;
 }

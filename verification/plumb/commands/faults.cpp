@@ -10,6 +10,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
+#include "plumbline/output/terminal.hpp"
 
 namespace plumb {
 namespace {
@@ -39,7 +40,13 @@ int show(const Session& session, const std::string& file) {
                                        : Json(fault.contains("equivalent") ? "equivalent" : "survived")}});
   }
   const int survived = static_cast<int>(faults.size()) - caught - equivalent;
-  session.write_table(rows);
+  const auto columns = static_cast<std::size_t>(terminal_columns(1));
+  for (const auto& row : rows)
+    session.text() << wrapped(row["fault"].get<std::string>(), columns, 0, 4) << "\n    "
+                   << wrapped(row["file"].get<std::string>() + ": " + row["caught_by"].get<std::string>(),
+                              columns, 4, 4)
+                   << '\n';
+  session.write_csv(rows);
   session.text() << fmt::format("{} of {} caught, {} equivalent, {} survived\n", caught, faults.size(),
                                 equivalent, survived);
   session.write_json({{"faults", faults},

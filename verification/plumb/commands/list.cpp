@@ -7,8 +7,9 @@
 
 #include "plumb/commands.hpp"
 #include "plumb/data_folder.hpp"
-#include "plumb/parts.hpp"
+#include "plumb/named_parts.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/output/terminal.hpp"
 
 namespace plumb {
 namespace {
@@ -28,21 +29,24 @@ Json scenes_in(const std::filesystem::path& folder) {
   return scenes;
 }
 
+/// "boundary kind" as a key of the JSON: "boundary_kinds".
+std::string plural_key(std::string kind) {
+  if (kind == "momentum") return "momenta";
+  for (char& c : kind)
+    if (c == ' ') c = '_';
+  return kind + "s";
+}
+
 /// Names by kind, "kernels": [..], and "parts" with what is known of each.
 Json listed() {
   Json names = Json::object(), rows = Json::array();
-  for (const auto& [kind, plural] : {std::pair("kernel", "kernels"),
-                                     {"gradient", "gradients"},
-                                     {"momentum", "momenta"},
-                                     {"integrator", "integrators"},
-                                     {"material", "materials"}}) {
-    names[plural] = Json::array();
-    for (const Part& part : parts) {
-      if (part.kind != kind) continue;
-      names[plural].push_back(part.name);
-      rows.push_back(
-          {{"kind", kind}, {"name", part.name}, {"meaning", part.meaning}, {"theory", part.theory}});
-    }
+  for (const NamedPart& part : named_parts()) {
+    names[plural_key(part.kind)].push_back(part.name);
+    rows.push_back({{"kind", part.kind},
+                    {"key", part.key},
+                    {"name", part.name},
+                    {"meaning", part.meaning},
+                    {"theory", part.theory}});
   }
   const auto folder = data_folder() / "verification" / "scenes";
   names["parts"] = rows;
@@ -51,19 +55,26 @@ Json listed() {
 }
 
 void tell(std::ostream& out, const Json& json) {
+  constexpr std::size_t indent = 18;
+  const auto columns = static_cast<std::size_t>(terminal_columns(1));
   std::string kind;
   for (const auto& part : json["parts"]) {
-    if (part["kind"] != kind) out << (kind.empty() ? "" : "\n") << part["kind"].get<std::string>() << ":\n";
+    if (part["kind"] != kind)
+      out << fmt::format("{}{} ({}):\n", kind.empty() ? "" : "\n", part["kind"].get<std::string>(),
+                         part["key"].get<std::string>());
     kind = part["kind"];
     const std::string theory = part["theory"];
-    out << fmt::format("  {:<14} {}{}\n", part["name"].get<std::string>(), part["meaning"].get<std::string>(),
-                       theory.empty() ? "" : ". " + theory);
+    const std::string said = part["meaning"].get<std::string>() + (theory.empty() ? "" : ". " + theory);
+    const std::string name = part["name"];
+    out << fmt::format("  {:<15} {}\n", name,
+                       wrapped(said, columns, std::max(indent, name.size() + 3), indent));
   }
   if (json["scenes"].empty()) return;
   const std::filesystem::path first = json["scenes"][0]["file"].get<std::string>();
   out << "\nscenes in " << first.parent_path().string() << ":\n";
   for (const auto& scene : json["scenes"])
-    out << fmt::format("  {:<30} {}\n", scene["name"].get<std::string>(), scene["shows"].get<std::string>());
+    out << fmt::format("  {}\n      {}\n", scene["name"].get<std::string>(),
+                       wrapped(scene["shows"].get<std::string>(), columns, 6, 6));
 }
 
 }  // namespace
@@ -76,10 +87,9 @@ void add_list(CLI::App& program, Session& session) {
     session.write_json(json);
     return 0;
   };
-  add_command(
-      program, session,
-      {"list", "kernels, gradients, materials .. that can be named, and the scenes at hand", "plumb list"},
-      {}, action);
+  add_command(program, session,
+              {"list", "what scenes, studies and options can name, and the scenes at hand", "plumb list"}, {},
+              action);
 }
 
 }  // namespace plumb

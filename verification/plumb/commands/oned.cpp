@@ -13,6 +13,7 @@
 #include "plumb/oned_output.hpp"
 #include "plumb/oned_pictures.hpp"
 #include "plumb/oned_study.hpp"
+#include "plumb/row_output.hpp"
 #include "plumb/session.hpp"
 
 namespace plumb {
@@ -25,35 +26,30 @@ int kernels(const Session& session, const OnedOptions& options, double at, bool 
   const oned::Discretisation d = options.discretisation();
   const oned::KernelView view = oned::explore(d, at);
   warn(session, oned::warnings(d, {}));
-  Json rows = Json::array();
-  for (const auto& r : view.rows)
-    rows.push_back({{"x", r.x},
-                    {"W", r.W},
-                    {"W0", r.W0},
-                    {"W1", r.W1},
-                    {"gradW", r.gradW},
-                    {"LgradW", r.LgradW},
-                    {"gradW0", r.gradW0},
-                    {"LgradW0", r.LgradW0},
-                    {"gradW1", r.gradW1}});
+  const auto row = [&view](std::size_t k) -> Json {
+    const auto& r = view.rows[k];
+    return {{"x", r.x},          {"W", r.W},           {"W0", r.W0},         {"W1", r.W1},
+            {"gradW", r.gradW},  {"LgradW", r.LgradW}, {"gradW0", r.gradW0}, {"LgradW0", r.LgradW0},
+            {"gradW1", r.gradW1}};
+  };
   Json sums = Json::object();
   for (const auto& [name, sum] : view.sums) sums[name] = sum;
   session.text() << fmt::format("x = {:g} m, R = {:g} m, h = {:g} m, alpha = {:.12g}, beta = {:.12g} 1/m\n",
                                 view.at, view.R, view.h, view.alpha, view.beta);
   for (const auto& [name, sum] : view.sums)
     session.text() << fmt::format("  sum {:<10} {: .12g}\n", name, sum);
-  session.write_table(rows);
   Json parameters = parameters_of(options);
   parameters["n"] = d.n;
-  session.write_json({{"parameters", parameters},
-                      {"at", view.at},
-                      {"dx", view.dx},
-                      {"radius", view.R},
-                      {"h", view.h},
-                      {"alpha", view.alpha},
-                      {"beta", view.beta},
-                      {"sums", sums},
-                      {"rows", rows}});
+  write_rows(session,
+             {{"parameters", parameters},
+              {"at", view.at},
+              {"dx", view.dx},
+              {"radius", view.R},
+              {"h", view.h},
+              {"alpha", view.alpha},
+              {"beta", view.beta},
+              {"sums", sums}},
+             {view.rows.size(), row});
   draw(session, kernel_picture(view, gradients));
   return 0;
 }
@@ -61,35 +57,33 @@ int kernels(const Session& session, const OnedOptions& options, double at, bool 
 int gradient(const Session& session, const OnedOptions& options, bool errors) {
   const oned::Discretisation d = options.discretisation();
   const auto fields = options.parsed_fields();
-  const auto result = oned::gradient_rows(d, fields, options.methods());
+  const auto table = oned::gradient_table(d, fields, options.methods());
   warn(session, oned::warnings(d, fields));
-  Json rows = Json::array();
-  for (const auto& r : result)
-    rows.push_back({{"estimator", r.estimator},
-                    {"pair", name_of(r.pair)},
-                    {"field", r.field},
-                    {"X", r.X},
-                    {"exact", r.exact},
-                    {"value", r.value},
-                    {"error", r.error}});
-  session.write_table(rows);
+  const auto row = [&table](std::size_t k) -> Json {
+    const oned::GradientRow r = table.row(k);
+    return {{"estimator", r.estimator}, {"pair", name_of(r.pair)}, {"field", r.field}, {"X", r.X},
+            {"exact", r.exact},         {"value", r.value},        {"error", r.error}};
+  };
   Json parameters = parameters_of(options);
   parameters["n"] = d.n;
-  session.write_json({{"parameters", parameters}, {"dx", d.dx()}, {"radius", d.support()}, {"rows", rows}});
-  draw(session, gradient_picture(result, errors));
+  write_rows(session, {{"parameters", parameters}, {"dx", d.dx()}, {"radius", d.support()}},
+             {table.size(), row});
+  if (session.plot.empty()) return 0;
+  std::vector<oned::GradientRow> drawn;
+  for (std::size_t k = 0; k < table.size(); ++k) drawn.push_back(table.row(k));
+  draw(session, gradient_picture(drawn, errors));
   return 0;
 }
 
 int response(const Session& session, const OnedOptions& options, Index points) {
   const oned::Discretisation d = options.discretisation();
   const auto result = oned::response_rows(d.kernel, d.support() / d.dx(), options.methods(), points);
-  Json rows = Json::array();
-  for (const auto& r : result)
-    rows.push_back(
-        {{"theta", r.theta}, {"estimator", r.estimator}, {"pair", name_of(r.pair)}, {"value", r.value}});
-  session.write_table(rows);
-  session.write_json(
-      {{"parameters", parameters_of(options)}, {"radius_over_dx", d.support() / d.dx()}, {"rows", rows}});
+  const auto row = [&result](std::size_t k) -> Json {
+    const auto& r = result[k];
+    return {{"theta", r.theta}, {"estimator", r.estimator}, {"pair", name_of(r.pair)}, {"value", r.value}};
+  };
+  write_rows(session, {{"parameters", parameters_of(options)}, {"radius_over_dx", d.support() / d.dx()}},
+             {result.size(), row});
   draw(session, response_picture(result));
   return 0;
 }

@@ -11,6 +11,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/run/scene_options.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/core/sentences.hpp"
 #include "plumbline/input/section.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/scene/read_scene.hpp"
@@ -91,7 +92,7 @@ std::string refusal_of_file(const BadInput& bad, const std::string& text) {
     require_memory(scene);
     with_dimension(scene, [&scene]<int d>() { return make_simulation<d>(scene).solid.cloud.size() > 0; });
   } catch (const InputError& error) {
-    return std::string("plumb: ") + error.what();
+    return "plumb: " + message_of(error);
   }
   return "";
 }

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/run/inventory.hpp"
+#include "plumb/run/likely_cause.hpp"
 #include "plumbline/output/progress.hpp"
+#include "plumbline/output/terminal.hpp"
 #include "plumbline/run/traffic.hpp"
 
 namespace plumb {
@@ -108,6 +110,8 @@ Json summary(const FinishedRun<d>& run) {
   json["hourglass_share"] = hourglass_share(run.simulation.solid, run.simulation.state);
   json["probes"] = probes_json(run);
   json["failure"] = failure_json(run.result.failure);
+  if (run.result.failure)
+    json["failure"]["likely_cause"] = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
   json["timing"] = {
       {"setup_s", run.book.timing.setup},
       {"wall_s", run.book.timing.wall},
@@ -142,6 +146,9 @@ std::string summary_text(const FinishedRun<d>& run) {
     text += fmt::format("  {}: {} = {:.6g}", name_of(failure->cause), failure->quantity, failure->value);
     if (failure->particle >= 0) text += fmt::format(" at particle {}", failure->particle);
     text += fmt::format(", step {}, t = {:.9g} s\n", failure->step, failure->time);
+    const std::string cause = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
+    if (!cause.empty())
+      text += "  " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 2, 2) + "\n";
   }
   text += fmt::format("  energy {:.9g} {} (kinetic {:.6g}, strain {:.6g}; at the start {:.9g})\n",
                       energy.total(), unit, energy.kinetic, energy.strain, run.book.initial_energy.total());

@@ -1,0 +1,55 @@
+#include "plumbline/scene/limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "plumbline/scene/read_scene.hpp"
+
+namespace plumb {
+namespace {
+
+const std::string scene = R"([scene]
+dimension = 2
+end_time = "1 ms"
+[body]
+size = [1, 1]
+spacing = 0.1
+[material]
+young = "17 MPa"
+poisson = 0.3
+density = 1100
+)";
+
+std::vector<std::string> limits(const std::vector<std::string>& changes) {
+  return limits_of(parse_scene(scene, "a.toml", changes));
+}
+
+struct Row {
+  std::vector<std::string> changes;
+  const char* words;  ///< of the only limit; empty: there is none
+};
+
+/// plumb static with affine-patch says which of them miss linear fields: compatible and variational do not.
+TEST(Limits, AreToldWhereTheSchemeHasThem) {
+  for (const Row& row :
+       {Row{{}, "patch test"}, Row{{"method.momentum=symmetrised"}, "patch test"},
+        Row{{"method.gradient=standard"}, "patch test"}, Row{{"method.momentum=variational"}, ""},
+        Row{{"method.gradient=compatible"}, ""}, Row{{"body.layout=cell"}, ""},
+        Row{{"body.jitter=0.2"}, "jitter = 0.2: none of the tables but that of compatible bonds"},
+        Row{{"body.jitter=0.2", "method.momentum=variational"}, "compatible bonds"},
+        Row{{"body.jitter=0.2", "method.gradient=compatible"}, ""},
+        Row{{"body.cloud=blue-noise"}, "blue noise: none of the tables"},
+        Row{{"body.cloud=blue-noise", "body.layout=cell"}, "blue noise: none of the tables"},
+        Row{{"body.cloud=blue-noise", "method.gradient=compatible"}, ""}}) {
+    const auto found = limits(row.changes);
+    SCOPED_TRACE(row.changes.empty() ? "default" : row.changes.front());
+    if (*row.words == 0) {
+      EXPECT_TRUE(found.empty()) << found.front();
+    } else {
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_NE(found.front().find(row.words), std::string::npos) << found.front();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,97 @@
+#include "plumb/named_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "mms/manufactured.hpp"
+#include "plumb/parts.hpp"
+#include "plumbline/core/type_list.hpp"
+#include "plumbline/gradient/catalogue.hpp"
+#include "plumbline/scene/names.hpp"
+#include "plumbline/input/unit_names.hpp"
+#include "plumbline/input/units.hpp"
+
+namespace plumb {
+namespace {
+
+/// What names mean that have no header with a docstring of their own; by kind and name.
+const std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>>& meanings() {
+  static const std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> all{
+      {{"cloud", "lattice"}, {"particles on a regular lattice that fills the body", ""}},
+      {{"cloud", "blue-noise"}, {"random particles that keep a distance from each other", ""}},
+      {{"layout", "cell"}, {"particles in the middle of cells, none on the surface", ""}},
+      {{"layout", "node"}, {"particles on corners of cells, so on the surface too", ""}},
+      {{"layout", "mirror"}, {"like cell, with images behind rollers", ""}},
+      {{"pair", "W1"},
+       {"sums of constant and of linear fields are exact at every particle", "THEORY (2.2), (2.7)"}},
+      {{"pair", "W0"},
+       {"sums of constant fields are exact, the gradient is corrected for linear ones",
+        "THEORY (2.4), (2.6)"}},
+      {{"gradient", "compatible"},
+       {"area vectors nearest to a start table that are closed and exact", "THEORY (11.1), (11.4)"}},
+      {{"momentum", "variational"},
+       {"the adjoint form with a correction that makes linear fields exact", ""}},
+      {{"wave speed", "linear"}, {"that of the material at rest, constant", "THEORY (7.3)"}},
+      {{"wave speed", "stretch"}, {"grows with the stretch between two particles", "THEORY (7.3)"}},
+      {{"wave speed", "stretch-inverse"}, {"falls with the stretch between two particles", "THEORY (7.3)"}},
+      {{"start of compatible bonds", "standard"},
+       {"the table of the standard gradient is projected", "THEORY (11.1)"}},
+      {{"start of compatible bonds", "improved"},
+       {"the table of the improved gradient is projected", "THEORY (11.1)"}},
+      {{"volumes of compatible bonds", "unknown"}, {"volumes are found together with the area vectors", ""}},
+      {{"volumes of compatible bonds", "fixed"}, {"volumes are those of the Voronoi cells", ""}},
+      {{"surface of compatible bonds", "shape"}, {"the surface is that of the body's shape", ""}},
+      {{"surface of compatible bonds", "estimated"}, {"the surface is guessed from the particles", ""}},
+      {{"outer level of jst", "symmetric"}, {"as the paper prints it", "THEORY (6.1)"}},
+      {{"outer level of jst", "transpose"}, {"L^T V L, dissipative by construction", "THEORY (6.4)"}},
+      {{"boundary kind", "clamped"}, {"the velocity is zero", ""}},
+      {{"boundary kind", "roller"}, {"the velocity normal to a face is zero", ""}},
+      {{"boundary kind", "velocity"}, {"the velocity is given by formulas", ""}}};
+  return all;
+}
+
+NamedPart described(const std::string& kind, const std::string& key, const std::string& name) {
+  NamedPart named{kind, key, name, "", ""};
+  const auto found = meanings().find({kind, name});
+  if (found != meanings().end()) std::tie(named.meaning, named.theory) = found->second;
+  const auto part = std::find_if(std::begin(parts), std::end(parts),
+                                 [&](const Part& p) { return p.kind == kind && p.name == name; });
+  if (part != std::end(parts)) {
+    named.meaning = part->meaning;
+    named.theory = part->theory;
+  }
+  return named;
+}
+
+/// "the side where x is least".
+std::string meaning_of_face(const std::string& face) {
+  return std::string("the side where ") + face[0] + (face[1] == '-' ? " is least" : " is greatest");
+}
+
+}  // namespace
+
+std::vector<NamedPart> named_parts() {
+  std::vector<NamedPart> all;
+  for (const auto& choice : scene_choices())
+    for (const auto& name : choice.names) {
+      all.push_back(described(choice.meaning, choice.key, name));
+      if (choice.meaning == "face") all.back().meaning = meaning_of_face(name);
+    }
+  for (const auto& name : names_of(EstimatorCatalogue{})) {
+    all.push_back(described("gradient", "--estimator of plumb oned", name));
+    all.back().kind = "estimator";
+  }
+  for (const auto& solution : mms::solution_list())
+    all.push_back({"solution", "study.solution", solution.name, solution.summary, ""});
+  for (const auto& unit : unit_names()) {
+    const Measured one = parse_measured("1 " + unit);
+    all.push_back(
+        {"unit", "any quantity", unit, fmt::format("{:.10g} {}", one.value, text_of(one.dimension)), ""});
+  }
+  return all;
+}
+
+}  // namespace plumb
