@@ -2,6 +2,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <algorithm>
+#include <mutex>
 
 #include "plumbline/compatible/conjugate_gradients.hpp"
 #include "plumbline/compatible/quadratic_fields.hpp"
@@ -10,7 +11,36 @@
 namespace plumb {
 namespace {
 
-using Factor = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
+/// CHOLMOD's factor. Its BLAS, the serial OpenBLAS, takes its work space from a list without a lock, and METIS
+/// draws from rand(): several threads at once get wrong factors, or other ones from run to run. So one thread
+/// at a time is in there (THEORY, Decisions).
+class Factor {
+ public:
+  Factor() {
+    const std::lock_guard lock(in_use);
+    // a pivot that is not positive is no news to the user, and standard output is for results
+    factor_.cholmod().print = 0;
+  }
+  void analyse(const Eigen::SparseMatrix<double>& matrix) {
+    const std::lock_guard lock(in_use);
+    factor_.analyzePattern(matrix);
+  }
+  /// Whether matrix + shift I has factors.
+  bool factorise(const Eigen::SparseMatrix<double>& matrix, double shift) {
+    const std::lock_guard lock(in_use);
+    factor_.setShift(shift);
+    factor_.factorize(matrix);
+    return factor_.info() == Eigen::Success;
+  }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const {
+    const std::lock_guard lock(in_use);
+    return factor_.solve(right);
+  }
+
+ private:
+  static inline std::mutex in_use;
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
+};
 
 /// Added to the diagonal, whose entries are of order 1. The smallest eigenvalues that matter belong to cubic
 /// fields and are of order (spacing/size)^6, 6e-14 for 160 particles across; a refinement multiplies their
@@ -50,12 +80,10 @@ bool is_thin_lattice(const BondOperator<d>& N) {
 
 /// Factorises the matrix with the least shift that works.
 void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
-  factor.analyzePattern(matrix);
+  factor.analyse(matrix);
   double shift = least_shift;
   while (shift <= most_shift) {
-    factor.setShift(shift);
-    factor.factorize(matrix);
-    if (factor.info() == Eigen::Success) return;
+    if (factor.factorise(matrix, shift)) return;
     shift *= 10;
   }
   throw InputError("the compatible projection has no solution", "its matrix cannot be factorised",
@@ -73,7 +101,7 @@ Multipliers<d> solve(const Factor& factor, const Multipliers<d>& right, bool cou
   };
   for (Index i = 0; i < n; ++i)
     for (int a = 0; a < d; ++a) place(i, a) = right[i].row(a).transpose();
-  packed = factor.solve(packed).eval();
+  packed = factor.solve(packed);
   Multipliers<d> x(right.size(), MultiplierBlock<d>::Zero());
   for (Index i = 0; i < n; ++i)
     for (int a = 0; a < d; ++a) x[i].row(a) = place(i, a).transpose();

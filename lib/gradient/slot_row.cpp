@@ -26,20 +26,6 @@ BondConstants<d> reverse_bond(Index i, Index j, const Surroundings<d>& seen, con
   return bond;
 }
 
-/// Several images of one particle that differ by the side only (a thin body) are one bond.
-template <int d>
-void add_image(const SlotBond<d>& bond, std::vector<SlotBond<d>>& images) {
-  for (auto& other : images)
-    if (other.offset == bond.offset && other.signs == bond.signs) {
-      other.stencil += bond.stencil;
-      other.force += bond.force;
-      other.laplacian += bond.laplacian;
-      other.outer_laplacian += bond.outer_laplacian;
-      return;
-    }
-  images.push_back(bond);
-}
-
 }  // namespace
 
 template <int d>
@@ -68,7 +54,7 @@ SlotRow<d> slot_row(Index i, const Surroundings<d>& seen, const Kinds& kinds,
     (ghost ? row.image_force : row.own_force) += options.momentum.own(pair);
     if (ghost) {
       bond.signs = signs_of(*ghost);
-      add_image(bond, row.images);
+      row.images.push_back(bond);
     } else {
       row.bonds.push_back(bond);
     }

@@ -13,7 +13,8 @@ struct SlotBond {
 };
 
 /// The bonds of one particle and its sums over them. Bonds to images are apart; their share of the internal
-/// force is image_force, not own_force.
+/// force is image_force, not own_force. No two of them share offset and signs: images of one particle behind
+/// opposite walls are 2 L apart, if the walls are L apart, and a support that is wider than L is refused.
 template <int d>
 struct SlotRow {
   std::vector<SlotBond<d>> bonds, images;

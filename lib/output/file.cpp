@@ -102,7 +102,7 @@ void replace_file_in_pieces(const fs::path& path, const Make& make) {
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   fs::path temporary = target;
-  temporary += fmt::format(".{}.tmp", ::getpid());
+  temporary += fmt::format(".{}.tmp", ::gettid());  // threads may write the same file, as of a cache
   int error = write_all(temporary, make);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error == 0) return;

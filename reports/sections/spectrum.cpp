@@ -68,7 +68,8 @@ std::string betas_without_soft_modes(const Json& rows, const std::string& gradie
   std::map<double, bool> soft;
   for (const auto& row : rows)
     if (text(row, "method.gradient") == gradient)
-      soft[std::stod(text(row, "method.beta"))] |= is_refused(row) || number(row, "near_zero_not_rigid") > 0;
+      soft[std::stod(text(row, "method.beta"))] |=
+          is_refused(row) || !(number(row, "near_zero_not_rigid") == 0);  // not known: not free of them
   std::string list;
   for (const auto& [beta, some] : soft)
     if (!some) list += fmt::format("{}{:g}", list.empty() ? "" : ", ", beta);
@@ -79,11 +80,13 @@ std::string betas_without_soft_modes(const Json& rows, const std::string& gradie
 Figure worst_mode(const Results& results, const std::string& job, const std::string& scheme) {
   const Json result = results.json(job);
   const Json& mode = result.at("worst");
+  const double smooth = number(result, "lowest_smooth");
   const std::string caption = fmt::format(
       "The mode that costs least energy: (omega d/c_p)^2 = {:.3g}; {:.0f} % of the motion between neighbours "
       "is not "
-      "explained by their gradients; lowest smooth mode {:.3g}.",
-      number(mode, "value"), 100 * number(mode, "unexplained"), number(result, "lowest_smooth"));
+      "explained by their gradients; {}.",
+      number(mode, "value"), 100 * number(mode, "unexplained"),
+      std::isnan(smooth) ? "no smooth mode was found" : fmt::format("lowest smooth mode {:.3g}", smooth));
   return {job, mode_picture(mode, scheme), caption, {job}};
 }
 

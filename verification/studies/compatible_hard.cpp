@@ -52,14 +52,14 @@ Simulation<d> build(const Hard<d>& hard, double beta) {
 struct Sound {
   double beta;
   Index particles;
-  double affine;                 ///< error of F for an affine motion
-  double residual;               ///< of the constraints
-  double least_volume;           ///< over spacing^d
-  double change;                 ///< largest, of an area vector, over spacing^(d-1)
-  int negative, spurious;        ///< modes: growing; spurious below the lowest smooth one
-  double lowest, lowest_smooth;  ///< (omega d/c_p)^2; 0: no mode is smooth
-  double cfl;                    ///< Verlet's limit
-  double energy;                 ///< largest relative change in 200 steps of a quarter of that limit
+  double affine;                                ///< error of F for an affine motion
+  double residual;                              ///< of the constraints
+  double least_volume;                          ///< over spacing^d
+  double change;                                ///< largest, of an area vector, over spacing^(d-1)
+  int negative, spurious;                       ///< modes: growing; spurious below the lowest smooth one
+  std::optional<double> lowest, lowest_smooth;  ///< (omega d/c_p)^2; nothing: no mode is (smooth)
+  double cfl;                                   ///< Verlet's limit
+  double energy;  ///< largest relative change in 200 steps of a quarter of that limit
 };
 
 template <int d>
@@ -105,10 +105,10 @@ Sound measure(const Hard<d>& hard, double beta) {
   found.affine = affine_error(simulation);
   LinearOperator<d> op(simulation.solid, simulation.supports);
   const Spectrum spectrum = spectrum_of(op);
-  found.negative = spectrum.negative;
-  found.spurious = spectrum.spurious_below_smooth;
-  found.lowest = spectrum.lowest_nonrigid;
-  found.lowest_smooth = spectrum.lowest_smooth;
+  found.negative = spectrum.negative.found;
+  found.spurious = spectrum.low.spurious_below_smooth.found;
+  found.lowest = spectrum.lowest_nonrigid();
+  found.lowest_smooth = spectrum.low.lowest_smooth;
   const double limit = oscillation_limit("verlet") / std::sqrt(spectrum.largest);  // in d/c_p
   found.cfl = limit;
   found.energy = energy_change(simulation, 0.25 * limit * op.time_unit());
@@ -133,8 +133,8 @@ void print(const Hard<d>& hard, const Sound& found) {
       "  {:44} beta {:3g}  N {:4}  V {:.2g}  A {:4.2g}  F {:.0e}  growing {}  spurious {:3}  lowest {:.2g}  "
       "smooth {:.2g}  cfl {:.2g}  energy {:.1e}\n",
       fmt::format("{}D {}", d, hard.name), found.beta, found.particles, found.least_volume, found.change,
-      found.affine, found.negative, found.spurious, found.lowest, found.lowest_smooth, found.cfl,
-      found.energy);
+      found.affine, found.negative, found.spurious, found.lowest.value_or(NAN),
+      found.lowest_smooth.value_or(NAN), found.cfl, found.energy);
 }
 
 /// Prints the least beta that works, and the next ones until area vectors are of the size of cells and the

@@ -78,6 +78,24 @@ TYPED_TEST(ProjectionSolvers, FindTheSameTable) {
     }
 }
 
+/// The factors come from libraries that keep work space for the whole process.
+TEST(ProjectionSolversSideBySide, GiveTheSameBits) {
+  const Cloud<2> cloud = block<2>(0.2, 12);
+  const AreaTable<2> start = start_table(cloud);
+  const auto solved = [&] {
+    AreaTable<2> table = start;
+    least_change(table, cloud.X, 1e-3, ProjectionSolver::direct);
+    std::vector<double> bits = table.volume;
+    for (const auto& pair : table.pairs) bits.insert(bits.end(), {pair.A[0], pair.A[1]});
+    return bits;
+  };
+  const std::vector<double> alone = solved();
+  int others = 0;
+#pragma omp parallel for num_threads(4) schedule(dynamic) reduction(+ : others)
+  for (int n = 0; n < 400; ++n) others += solved() != alone;
+  EXPECT_EQ(others, 0);
+}
+
 TYPED_TEST(ProjectionSolvers, SmallCloudsOfAllKinds) {
   constexpr int d = TypeParam::d;
   for (const auto& [name, cloud] : test::all_clouds<d>(1.0))

@@ -22,6 +22,22 @@ TEST(File, ReplacesTheWholeContent) {
   EXPECT_EQ(files_in(folder.path()), 1U) << "the temporary file must be gone";
 }
 
+/// As runs side by side do with one cache.
+TEST(File, ThreadsReplaceOneFileAtOnce) {
+  const test::TemporaryFolder folder;
+  int failures = 0;
+#pragma omp parallel for num_threads(4) schedule(dynamic) reduction(+ : failures)
+  for (int n = 0; n < 400; ++n) try {
+      replace_file(folder / "cache", std::string(10000, static_cast<char>('a' + n % 4)));
+    } catch (const OutputError&) {
+      ++failures;
+    }
+  EXPECT_EQ(failures, 0);
+  const std::string content = test::content_of(folder / "cache");
+  EXPECT_EQ(content, std::string(10000, content.front())) << "a part of one, a part of another";
+  EXPECT_EQ(files_in(folder.path()), 1U);
+}
+
 TEST(File, FollowsASymbolicLink) {
   const test::TemporaryFolder folder;
   replace_file(folder / "real", "old");

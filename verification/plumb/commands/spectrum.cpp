@@ -10,6 +10,8 @@
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"
 #include "plumb/spectrum_output.hpp"
+#include "plumb/symbol_output.hpp"
+#include "plumbline/output/file.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
 #include "reports/modes.hpp"
@@ -24,7 +26,8 @@ struct SpectrumCommand {
   std::vector<std::string> overrides;
   std::vector<std::string> over;  ///< key=v1,v2,..
   SpectrumOptions options;
-  int symbol = 0;  ///< points of the lattice symbol; 0: the body's own spectrum
+  std::string vtk;  ///< folder for the modes; empty: none are written
+  int symbol = 0;   ///< points of the lattice symbol; 0: the body's own spectrum
 };
 
 /// Every combination of the values of --over, as lists of overrides.
@@ -46,71 +49,22 @@ std::vector<std::vector<std::string>> combinations(const std::vector<std::string
   return all;
 }
 
-Json modes_of(const Spectrum& s, std::size_t wanted) {
-  Json modes = Json::array();
-  for (std::size_t n = 0; n < std::min(wanted, s.low.size()); ++n)
-    modes.push_back({{"value", s.low[n].value},
-                     {"imaginary", s.low[n].imaginary},
-                     {"unexplained", s.low[n].unexplained},
-                     {"spurious", s.low[n].spurious()}});
-  return modes;
-}
-
-Json result_of(const Spectrum& s, const Scene& scene, double time_unit, std::size_t modes) {
-  const double limit = oscillation_limit(scene.method.integrator);
-  Json result{{"scene", scene.name},
-              {"unknowns", s.unknowns},
-              {"complete", s.complete},
-              {"asymmetry", s.asymmetry},
-              {"rigid", s.rigid},
-              {"rigid_residual", s.rigid_residual},
-              {"near_zero_not_rigid", s.near_zero_not_rigid},
-              {"spurious_below_smooth", s.spurious_below_smooth},
-              {"complex_pairs", s.complex_pairs},
-              {"negative", s.negative},
-              {"largest_imaginary", s.largest_imaginary},
-              {"largest", s.largest},
-              {"lowest_nonrigid", s.lowest_nonrigid},
-              {"lowest_smooth", s.lowest_smooth},
-              {"growth_rate_undamped", s.growth_undamped},
-              {"growth_rate", s.growth_known ? Json(s.growth) : Json()},
-              {"time_unit_s", time_unit},
-              {"stable_step_s", limit / std::sqrt(s.largest) * time_unit},
-              {"stable_cfl", limit / std::sqrt(s.largest)},
-              {"modes", modes_of(s, modes)}};
-  if (!s.growth_known) result["status"] = "growth_rate: the body is too large for the damped problem";
-  return result;
-}
-
 template <int d>
-Json analyse(const Scene& scene, const SpectrumOptions& options) {
+Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk) {
   const Simulation<d> simulation = make_simulation<d>(scene);
   LinearOperator<d> op(simulation.solid, simulation.supports);
   const Spectrum spectrum = spectrum_of(op, options);
-  Json result = result_of(spectrum, scene, op.time_unit(), static_cast<std::size_t>(options.low_modes));
+  Json result = spectrum_json(spectrum, scene, op.time_unit(), options.low_modes);
   result["worst"] = worst_mode(spectrum, op);
+  if (!vtk.empty()) {
+    make_folder(vtk, "--vtk");
+    write_modes(spectrum, op, options.low_modes, vtk);
+  }
   return result;
 }
 
-std::string text_of(const Json& r) {
-  return fmt::format(
-      "{}: {} unknowns, {} eigenvalues; values are (omega d/c_p)^2, rates c_p/d, d/c_p = {:.4g} s\n"
-      "  rigid motions           {} (residual {:.1e})\n"
-      "  near-zero, not rigid    {} (spurious modes below the lowest smooth one: {})\n"
-      "  lowest not rigid        {:.6g}, lowest smooth {:.6g}\n"
-      "  largest                 {:.6g}: steps up to {:.4g} s, cfl {:.4g}\n"
-      "  complex pairs           {} (largest imaginary part {:.1e} of the largest), negative {}\n"
-      "  growth                  {} with dissipation, {:.6g} without\n",
-      r["scene"].get<std::string>(), r["unknowns"].get<long>(),
-      r["complete"].get<bool>() ? "all" : "the lowest and largest", r["time_unit_s"].get<double>(),
-      r["rigid"].get<int>(), r["rigid_residual"].get<double>(), r["near_zero_not_rigid"].get<int>(),
-      r["spurious_below_smooth"].get<int>(), r["lowest_nonrigid"].get<double>(),
-      r["lowest_smooth"].get<double>(), r["largest"].get<double>(), r["stable_step_s"].get<double>(),
-      r["stable_cfl"].get<double>(), r["complex_pairs"].get<int>(), r["largest_imaginary"].get<double>(),
-      r["negative"].get<int>(),
-      r["growth_rate"].is_null() ? std::string("unknown")
-                                 : fmt::format("{:.6g}", r["growth_rate"].get<double>()),
-      r["growth_rate_undamped"].get<double>());
+Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk = "") {
+  return scene.dimension == 2 ? analyse<2>(scene, options, vtk) : analyse<3>(scene, options, vtk);
 }
 
 /// What the combination sets, as the start of its row.
@@ -130,7 +84,7 @@ Json row_of(const std::vector<std::string>& set, const Json& result) {
 
 /// The row of a body that cannot be built: the reason, and no numbers.
 Json refused_row(const std::vector<std::string>& set, const InputError& error) {
-  Json row = row_of(set, result_of(Spectrum{}, Scene{}, 1, 0));
+  Json row = row_of(set, spectrum_json(Spectrum{}, Scene{}, 1, 0));
   for (auto& value : row)
     if (value.is_number() || value.is_boolean()) value = nullptr;
   row["status"] = "refused: " + error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")");
@@ -158,10 +112,6 @@ void draw_worst(const Session& session, const Json& result) {
       session.plot);
 }
 
-Json analyse(const Scene& scene, const SpectrumOptions& options) {
-  return scene.dimension == 2 ? analyse<2>(scene, options) : analyse<3>(scene, options);
-}
-
 /// One row per combination. Bodies that cannot be built are rows too, if some other can.
 Json rows_of(const std::vector<std::vector<std::string>>& sets, const std::vector<Scene>& scenes,
              const SpectrumOptions& options, Progress& progress) {
@@ -182,10 +132,15 @@ Json rows_of(const std::vector<std::vector<std::string>>& sets, const std::vecto
 
 int run_spectrum(const Session& session, const SpectrumCommand& command) {
   const auto sets = combinations(command.over);
-  if (!session.plot.empty() && (!command.over.empty() || command.symbol > 0))
-    throw InputError("--plot draws the worst mode of one body",
-                     "with --over and --symbol there are several or none",
-                     "leave them out, or leave out --plot");
+  const bool one_body = command.over.empty() && command.symbol == 0;
+  const auto needs_one_body = [&](const std::string& file, const char* option, const char* what) {
+    if (!file.empty() && !one_body)
+      throw InputError(std::string(option) + what, "with --over and --symbol there are several or none",
+                       std::string("leave them out, or leave out ") + option);
+  };
+  needs_one_body(session.plot, "--plot", " draws the worst mode of one body");
+  needs_one_body(command.vtk, "--vtk", " writes the modes of one body");
+  if (!command.vtk.empty()) require_folder(command.vtk, "--vtk");
   std::vector<Scene> scenes;
   for (const auto& set : sets) {
     auto overrides = command.overrides;
@@ -195,9 +150,9 @@ int run_spectrum(const Session& session, const SpectrumCommand& command) {
   if (command.symbol > 0) return run_symbol(session, sets, scenes, command.symbol);
   Progress progress("spectrum", session.progress());
   if (command.over.empty()) {
-    const Json single = analyse(scenes.front(), command.options);
+    const Json single = analyse(scenes.front(), command.options, command.vtk);
     progress.finish();
-    session.text() << text_of(single) << std::flush;
+    session.text() << spectrum_text(single) << std::flush;
     draw_worst(session, single);
     session.write_csv(single["modes"]);
     session.write_json(single);
@@ -228,6 +183,8 @@ void add_spectrum(CLI::App& program, Session& session) {
   command.add_option("--modes", options->options.low_modes, "number of low modes to list")
       ->check(CLI::Range(1, 500))
       ->capture_default_str();
+  command.add_option("--vtk", options->vtk, "write the modes as particle files for ParaView to DIR")
+      ->type_name("DIR");
   command
       .add_option("--symbol", options->symbol,
                   "the scheme on the infinite lattice instead, at so many wave numbers in each direction")

@@ -63,12 +63,13 @@ class Map {
   /// All cells, several at a time; false if a signal came. What is finished is in the cells and in the cache.
   bool make(Progress& progress) {
     const InterruptGuard guard;
-    std::exception_ptr problem;
+    std::exception_ptr problem;  // of the first cell that fails; others look at `failed` only
+    std::atomic<bool> failed = false;
     std::atomic<int> finished = 0;
 #pragma omp parallel for schedule(dynamic)
     // NOLINTNEXTLINE(modernize-loop-convert): OpenMP shares out indices
     for (std::size_t n = 0; n < cells.size(); ++n) {
-      if (interrupted() || problem) continue;
+      if (interrupted() || failed) continue;
       try {
         fill(cells[n]);
 #pragma omp critical
@@ -78,7 +79,7 @@ class Map {
         continue;
       } catch (...) {
 #pragma omp critical
-        problem = std::current_exception();
+        if (!failed.exchange(true)) problem = std::current_exception();
       }
     }
     if (problem) std::rethrow_exception(problem);

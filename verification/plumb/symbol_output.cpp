@@ -1,0 +1,45 @@
+#include "plumb/symbol_output.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "plumbline/scene/simulation.hpp"
+#include "plumbline/spectrum/lattice_symbol.hpp"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <int d>
+Json symbol_in(const Scene& scene, int points) {
+  const LatticeSymbol<d> symbol(bond_options<d>(scene, 1), scene.method.beta);
+  const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
+  Json rows = Json::array();
+  Vec<d> direction = Vec<d>::Zero();
+  for (int axes = 0; axes < d; ++axes) {
+    direction[axes] = 1;
+    const std::string name = std::string(static_cast<std::size_t>(axes) + 1, '1') +
+                             std::string(static_cast<std::size_t>(d - axes - 1), '0');
+    for (int n = 1; n <= points; ++n) {
+      const Vec<d> theta = std::numbers::pi * n / points * direction;
+      const Eigen::VectorXcd values =
+          Eigen::EigenSolver<Eigen::MatrixXd>(symbol.dynamical_matrix(theta, elastic), false).eigenvalues();
+      rows.push_back({{"direction", name},
+                      {"theta", theta[0]},
+                      {"gradient", symbol.gradient(theta).dot(theta) / theta.squaredNorm()},
+                      {"lowest", values.real().minCoeff()},
+                      {"largest", values.real().maxCoeff()}});
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+Json symbol_rows(const Scene& scene, int points) {
+  return scene.dimension == 2 ? symbol_in<2>(scene, points) : symbol_in<3>(scene, points);
+}
+
+}  // namespace plumb
