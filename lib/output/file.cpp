@@ -14,8 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Flushes an open file to the disk; the error number, 0 for none. A pipe or a device cannot be: no failure.
+int flushed(int file) {
+  return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
+}
+
 /// All of `content` to the new or truncated file; the error number, 0 for none.
-int write_all(const fs::path& path, std::string_view content) {
+int write_all(const fs::path& path, std::string_view content, Flush flush) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) return errno;
   int error = 0;
@@ -26,8 +31,7 @@ int write_all(const fs::path& path, std::string_view content) {
     else if (errno != EINTR)
       error = errno;
   }
-  // A pipe or a device cannot be flushed to the disk: EINVAL is no failure.
-  if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) error = errno;
+  if (error == 0 && flush == Flush::now) error = flushed(file);
   if (::close(file) != 0 && error == 0) error = errno;
   return error;
 }
@@ -79,20 +83,38 @@ void make_folder(const fs::path& path, std::string_view option) {
                      "choose another place");
 }
 
-void replace_file(const fs::path& path, std::string_view content) {
+void replace_file(const fs::path& path, std::string_view content, Flush flush) {
   if (is_special(path)) {
-    if (const int error = write_all(path, content)) throw_write_error(path, error);
+    if (const int error = write_all(path, content, flush)) throw_write_error(path, error);
     return;
   }
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   fs::path temporary = target;
   temporary += fmt::format(".{}.tmp", ::getpid());
-  int error = write_all(temporary, content);
+  int error = write_all(temporary, content, flush);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error == 0) return;
   ::unlink(temporary.c_str());
   throw_write_error(path, error);
+}
+
+void flush_file(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  int error = file < 0 ? errno : flushed(file);
+  if (file >= 0 && ::close(file) != 0 && error == 0) error = errno;
+  if (error != 0) throw_write_error(path, error);
+}
+
+void remove_unfinished_files(const fs::path& folder, const std::function<bool(const std::string&)>& is_ours) {
+  std::error_code none;  // a folder that is not there has no such files
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const fs::path number = entry.path().stem();  // NAME.PID of NAME.PID.tmp
+    const std::string digits = number.extension().string();
+    const bool of_a_process = entry.path().extension() == ".tmp" && digits.size() > 1 &&
+                              digits.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (of_a_process && is_ours(number.stem().string())) fs::remove(entry.path(), none);
+  }
 }
 
 }  // namespace plumb

@@ -7,9 +7,12 @@
 
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
+#include "plumb/run/interrupt.hpp"
+#include "plumb/run/waiting.hpp"
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
 #include "plumbline/core/error.hpp"
+#include "plumbline/output/sitting.hpp"
 
 namespace {
 
@@ -37,7 +40,15 @@ int run(CLI::App& program, plumb::Session& session, int count, char** arguments)
     return done;
   }
   session.check();
+  if (session.threads != 1) plumb::let_waiting_threads_sleep(arguments);
   return session.action();
+}
+
+/// The exit code when all text has been taken: what was lost on a full device must not look like success.
+int flushed(int code) {
+  if (std::cout.flush()) return code;
+  std::cerr << "plumb: cannot write to standard output\n";
+  return code == done ? failed : code;
 }
 
 }  // namespace
@@ -50,9 +61,11 @@ int main(int count, char** arguments) {
     CLI::App program("Plumbline: total Lagrangian SPH for solids, checked against mathematics", "plumb");
     program.set_version_flag("--version", plumb::version_text());
     plumb::add_all_commands(program, session);
-    return run(program, session, count, arguments);
+    return flushed(run(program, session, count, arguments));
   } catch (const plumb::InputError& error) {
     return complain(std::string("plumb: ") + error.what(), bad_input);
+  } catch (const plumb::SittingEnded& ended) {
+    return complain(std::string("plumb: ") + ended.what(), plumb::interrupt_exit_code());
   } catch (const std::bad_alloc&) {
     return complain("plumb: out of memory; try a coarser spacing or fewer particles", failed);
   } catch (const std::exception& error) {
