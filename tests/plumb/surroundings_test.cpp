@@ -24,7 +24,7 @@ const std::vector<std::string> calls{
     "run --help",
     "oned",
     "list",
-    "faults --root " + root,
+    "faults " + root + "/verification/faults/score.json",
     "claims",
     "manual",
     "completion bash",
