@@ -259,7 +259,7 @@ TEST(RunValues, TheEnergiesAddUpWithThatOfTheHourglassTerm) {
   EXPECT_EQ(rows["hourglass energy [J/m]"].back(), hourglass);
   // the force of all three derives from an energy: at these steps it is kept to some thousandths
   EXPECT_NEAR(at(e["net_change"]), 0, 0.005);
-  double total, kinetic, strain, printed;
+  double total = 0, kinetic = 0, strain = 0, printed = 0;
   const auto place = outcome.out.find("  energy ");
   ASSERT_NE(place, std::string::npos) << outcome.out;
   ASSERT_EQ(

@@ -3,6 +3,7 @@
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/summary.hpp"
 #include "plumb/run/summary_parts.hpp"
+#include "plumbline/output/progress.hpp"
 
 namespace plumb {
 namespace {

@@ -37,7 +37,7 @@ struct SupportWork<d>::Account {
   std::vector<double> sum, last;  ///< per block, of this step and of its last evaluation [W]
   std::size_t evaluation = 0;     ///< of this step, from 1
 
-  void add(const Solid<d>& solid, const Block& block, const BlockForce<d>& force) {
+  void add(const Solid<d>& solid, const Block& block, BlockForce<d>& force) {
     auto at = std::lower_bound(movers.begin(), movers.end(), block.begin(),
                                [](const Mover& mover, Index slot) { return mover.slot < slot; });
     double power = 0;
