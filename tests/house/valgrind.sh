@@ -7,10 +7,9 @@ set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 plumb=$(realpath "${1:-build/package/bin/plumb}") || exit 1
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
-export OMP_NUM_THREADS=1
+export OMP_NUM_THREADS=1  # with more the program would start itself again, outside of valgrind, to let them sleep
 bad=0 seen=0
 
-export OMP_WAIT_POLICY=passive  # or the program starts itself again with it, outside of valgrind
 # clean CODE ARGUMENTS..: plumb with these arguments ends with CODE, and valgrind has nothing to say
 clean() {
   local code=$1
