@@ -2,8 +2,9 @@
 // computed again from another file.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstdio>
 
 #include "plumbline/output/checkpoint.hpp"
 #include "tests/support/run_scene.hpp"

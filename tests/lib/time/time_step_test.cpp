@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/solid/evaluate.hpp"
 #include "plumbline/solid/run.hpp"
