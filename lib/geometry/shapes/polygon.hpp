@@ -85,11 +85,12 @@ struct Polygon {
       return fmt::format("({:.9g}, {:.9g})", corners[k][0], corners[k][1]);
     };
     const std::size_t n = corners.size();
-    double twice_area = 0;
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t k = 0; k < n; ++k)
       if (corners[k] == next(k))
         throw InputError("a polygon with the corner " + place(k) + " twice in a row",
                          "there is no edge between them", "leave one of them out");
+    double twice_area = 0;
+    for (std::size_t k = 0; k < n; ++k) {
       twice_area += corners[k][0] * next(k)[1] - corners[k][1] * next(k)[0];
       if (folds_back(corners[k], next(k), next((k + 1) % n)))
         throw InputError("a polygon whose edges lie on each other at " + place((k + 1) % n),

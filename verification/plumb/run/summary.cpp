@@ -91,7 +91,7 @@ EnergyBudget energy_budget(const FinishedRun<d>& run) {
   for (const auto& term : solid.terms)
     if (term.energy) budget.terms[term.name] += term.energy(solid, state);
   const double scale = initial + std::abs(work);
-  if (scale > 0) budget.net_change = (now.total() - initial - work) / scale;
+  if (scale > energy_round_off(solid)) budget.net_change = (now.total() - initial - work) / scale;
   return budget;
 }
 

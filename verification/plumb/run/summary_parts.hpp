@@ -16,7 +16,8 @@ struct EnergyBudget {
   double kinetic, strain, total, initial;
   std::map<std::string, double> terms;  ///< of the optional terms that have one, by name ("hourglass")
   double support_work;                  ///< of supports that move
-  /// (total - initial - support work) / (initial + |support work|): none for a body at rest.
+  /// (total - initial - support work) / (initial + |support work|): none for a body at rest, whose energy
+  /// is round-off.
   std::optional<double> net_change;
 };
 template <int d>
