@@ -49,8 +49,11 @@ Shape<d> shape_named(std::string_view name, const ShapeLengths& lengths) {
       static_assert(ShapeModel<S, d>);
       const S model(complete<d>(name, S::lengths(), lengths));
       shape.box = model.template box<d>();
-      if constexpr (!requires { S::fills_its_box; })
-        shape.clip = [model](const Vec<d>& X) { return model.template distance<d>(X); };
+      bool whole = requires {
+        std::bool_constant<S::fills_its_box>{};
+      };
+      if constexpr (requires { model.fills_its_box(); }) whole = model.fills_its_box();
+      if (!whole) shape.clip = [model](const Vec<d>& X) { return model.template distance<d>(X); };
     } else {
       throw InputError(fmt::format("shape \"{}\" in {} dimensions", name, d), "it does not exist there", "");
     }

@@ -32,7 +32,8 @@ struct ShapeLength {
 ///   box<d>()              a box that holds it [m]
 ///   distance<d>(X)        signed distance to its surface, negative inside [m]; the faces of the box may be
 ///                         left out: the body is what the distance leaves of the box
-///   fills_its_box         (optional) there is nothing that the distance takes off the box
+///   fills_its_box         (optional) there is nothing that the distance takes off the box: true for all
+///                         bodies of the shape, or a function that says it of this one
 template <class S, int d>
 concept ShapeModel = std::constructible_from<S, const ShapeLengths&> &&
     requires(const S& s, const Vec<d>& X) {

@@ -21,6 +21,14 @@ Index expected(const Box<d>& box, double spacing) {
   return static_cast<Index>(std::ceil((box.size / spacing).prod()));
 }
 
+/// A coordinate that misses a face of the box by rounding is put on it.
+template <int d>
+void meet_faces(const Box<d>& box, double spacing, Vec<d>& X) {
+  for (int k = 0; k < d; ++k)
+    for (const double face : {box.origin[k], box.origin[k] + box.size[k]})
+      if (std::abs(X[k] - face) < 1e-9 * spacing) X[k] = face;
+}
+
 /// The nearest point of the surface, by following the gradient of the distance; it may not be found at edges.
 template <int d>
 Vec<d> on_surface(const Shape<d>& shape, Vec<d> X, double spacing) {
@@ -36,6 +44,7 @@ Vec<d> on_surface(const Shape<d>& shape, Vec<d> X, double spacing) {
     if (!(gradient.squaredNorm() > 0)) break;
     X -= there * gradient / gradient.squaredNorm();
   }
+  meet_faces(shape.box, spacing, X);
   return X;
 }
 
@@ -81,9 +90,7 @@ std::vector<Vec<d>> lattice_over(const Box<d>& box, const Filling& filling) {
     X.push_back(first);
     for (Index k = d - 1, rest = n; k >= 0; rest /= count[k], --k)
       X.back()[k] += filling.spacing * static_cast<double>(rest % count[k]);
-    for (int k = 0; k < d; ++k)  // a face is met in spite of rounding
-      for (const double face : {box.origin[k], box.origin[k] + box.size[k]})
-        if (std::abs(X.back()[k] - face) < 1e-9 * filling.spacing) X.back()[k] = face;
+    meet_faces(box, filling.spacing, X.back());
   }
   return X;
 }

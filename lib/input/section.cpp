@@ -172,6 +172,21 @@ std::vector<double> Section::numbers(const std::string& key, std::size_t count, 
   return all;
 }
 
+std::vector<double> Section::points(const std::string& key, std::size_t dimension,
+                                    const Quantity& expected) const {
+  const auto& items = array(key, 0, "points").items;
+  if (!items.front().is(TomlValue::Kind::array)) return numbers(key, 0, expected);
+  std::vector<double> all;
+  for (std::size_t n = 0; n < items.size(); ++n) {
+    if (!items[n].is(TomlValue::Kind::array)) wrong_type(items[n], key, "points, as the first entry is one");
+    if (items[n].items.size() != dimension)
+      fail(key, fmt::format("point {} has {} values", n, items[n].items.size()),
+           fmt::format("expected {}, as many as the dimension", dimension));
+    for (const auto& item : items[n].items) all.push_back(as_number(item, key, expected, Sign::any));
+  }
+  return all;
+}
+
 std::vector<long> Section::integers(const std::string& key, std::size_t count, long least) const {
   std::vector<long> all;
   for (const auto& item : array(key, count, "whole numbers").items)

@@ -46,6 +46,8 @@ class Section {
   /// An array of numbers; of `count` of them unless that is 0 (then at least one).
   std::vector<double> numbers(const std::string& key, std::size_t count, const Quantity& expected,
                               Sign sign = Sign::any) const;
+  /// An array of points of `dimension` numbers each, nested or one after the other; all their numbers.
+  std::vector<double> points(const std::string& key, std::size_t dimension, const Quantity& expected) const;
   std::vector<long> integers(const std::string& key, std::size_t count, long least) const;
   /// An array of strings, numbers taken as they are written (to 17 digits); at least one.
   std::vector<std::string> texts(const std::string& key) const;

@@ -17,6 +17,11 @@ namespace fs = std::filesystem;
 
 using Make = std::function<void(const WritePiece& write)>;
 
+/// Flushes an open file to the disk; the error number, 0 for none. A pipe or a device cannot be: no failure.
+int flushed(int file) {
+  return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
+}
+
 /// Writes a piece to an open file; the error number, 0 for none.
 int write_piece(int file, std::string_view piece) {
   while (!piece.empty()) {
@@ -30,15 +35,14 @@ int write_piece(int file, std::string_view piece) {
 }
 
 /// All pieces to the new or truncated file; the error number, 0 for none.
-int write_all(const fs::path& path, const Make& make) {
+int write_all(const fs::path& path, const Make& make, Flush flush) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) return errno;
   int error = 0;
   make([&](std::string_view piece) {
     if (error == 0) error = write_piece(file, piece);
   });
-  // A pipe or a device cannot be flushed to the disk: EINVAL is no failure.
-  if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) error = errno;
+  if (error == 0 && flush == Flush::now) error = flushed(file);
   if (::close(file) != 0 && error == 0) error = errno;
   return error;
 }
@@ -90,24 +94,42 @@ void make_folder(const fs::path& path, std::string_view option) {
                      "choose another place");
 }
 
-void replace_file(const fs::path& path, std::string_view content) {
-  replace_file_in_pieces(path, [content](const WritePiece& write) { write(content); });
+void replace_file(const fs::path& path, std::string_view content, Flush flush) {
+  replace_file_in_pieces(path, [content](const WritePiece& write) { write(content); }, flush);
 }
 
-void replace_file_in_pieces(const fs::path& path, const Make& make) {
+void replace_file_in_pieces(const fs::path& path, const Make& make, Flush flush) {
   if (is_special(path)) {
-    if (const int error = write_all(path, make)) throw_write_error(path, error);
+    if (const int error = write_all(path, make, flush)) throw_write_error(path, error);
     return;
   }
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   fs::path temporary = target;
   temporary += fmt::format(".{}.tmp", ::gettid());  // threads may write the same file, as of a cache
-  int error = write_all(temporary, make);
+  int error = write_all(temporary, make, flush);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error == 0) return;
   ::unlink(temporary.c_str());
   throw_write_error(path, error);
+}
+
+void flush_file(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  int error = file < 0 ? errno : flushed(file);
+  if (file >= 0 && ::close(file) != 0 && error == 0) error = errno;
+  if (error != 0) throw_write_error(path, error);
+}
+
+void remove_unfinished_files(const fs::path& folder, const std::function<bool(const std::string&)>& is_ours) {
+  std::error_code none;  // a folder that is not there has no such files
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const fs::path number = entry.path().stem();  // NAME.PID of NAME.PID.tmp
+    const std::string digits = number.extension().string();
+    const bool of_a_process = entry.path().extension() == ".tmp" && digits.size() > 1 &&
+                              digits.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (of_a_process && is_ours(number.stem().string())) fs::remove(entry.path(), none);
+  }
 }
 
 }  // namespace plumb

@@ -114,18 +114,50 @@ std::string ParticleSeries::file_name(std::size_t number) const {
 }
 
 void ParticleSeries::write(const ParticleFrame& frame) {
-  replace_file(folder_ / file_name(times_.size()), vtp_text(frame));
+  replace_file(folder_ / file_name(times_.size()), vtp_text(frame), Flush::later);
   times_.push_back(frame.time);
   write_index();
 }
 
 void ParticleSeries::resume(std::vector<double> times) {
   for (std::size_t k = 0; k < times.size(); ++k)
-    if (!std::filesystem::exists(folder_ / file_name(k)))
+    if (std::error_code none; !(std::filesystem::file_size(folder_ / file_name(k), none) > 0) || none)
       throw InputError(fmt::format("{} cannot be continued", index_file().string()),
                        fmt::format("there is no {}", file_name(k)), "start the run anew, without --resume");
   times_ = std::move(times);
+  flushed_ = times_.size();
+  remove_from(times_.size());
   write_index();
+}
+
+void ParticleSeries::clear() {
+  std::filesystem::remove(index_file());
+  remove_from(0);
+}
+
+void ParticleSeries::flush() {
+  for (; flushed_ < times_.size(); ++flushed_) flush_file(folder_ / file_name(flushed_));
+  if (!times_.empty()) flush_file(index_file());
+}
+
+void ParticleSeries::finish() {
+  if (times_.empty()) return;
+  flush_file(folder_ / file_name(times_.size() - 1));
+  flush_file(index_file());
+}
+
+/// Removes the files of this name whose number is at least that: NAME_ and digits, nothing else.
+void ParticleSeries::remove_from(std::size_t number) const {
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, none)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(name_ + "_") || entry.path().extension() != ".vtp") continue;
+    const std::string digits = entry.path().stem().string().substr(name_.size() + 1);
+    if (digits.size() < 6 || digits.size() > 18 ||
+        digits.find_first_not_of("0123456789") != std::string::npos)
+      continue;
+    if (std::stoull(digits) >= number) std::filesystem::remove(entry.path(), none);
+  }
 }
 
 void ParticleSeries::write_index() const {
@@ -135,7 +167,7 @@ void ParticleSeries::write_index() const {
   for (std::size_t k = 0; k < times_.size(); ++k)
     index += fmt::format("<DataSet timestep=\"{:.17g}\" group=\"\" part=\"0\" file=\"{}\"/>\n", times_[k],
                          escaped(file_name(k)));
-  replace_file(index_file(), index + "</Collection>\n</VTKFile>\n");
+  replace_file(index_file(), index + "</Collection>\n</VTKFile>\n", Flush::later);
 }
 
 }  // namespace plumb

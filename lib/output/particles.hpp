@@ -28,7 +28,8 @@ struct ParticleFrame {
 std::string vtp_text(const ParticleFrame& frame);
 
 /// A time series of particles for ParaView: FOLDER/NAME_000000.vtp, .. and FOLDER/NAME.pvd, which lists them
-/// with their times. Every file is replaced as a whole; the .pvd names only files that are complete.
+/// with their times. Every file is replaced as a whole; the .pvd names only files that are complete. When
+/// they reach the disk is left to the system until flush() or finish().
 class ParticleSeries {
  public:
   ParticleSeries(std::filesystem::path folder, std::string name)
@@ -37,9 +38,16 @@ class ParticleSeries {
   /// Writes the next file of the series. Throws OutputError; what was written before stays readable.
   void write(const ParticleFrame& frame);
 
-  /// Continues a series that another run left with these times; later files of it will be replaced.
-  /// InputError if one of them is not there.
+  /// Puts every file on the disk that has been written since the last call. Throws OutputError.
+  void flush();
+  /// Puts the index and the last file on the disk. Throws OutputError.
+  void finish();
+
+  /// Continues a series that another run left with these times; later files of it are removed.
+  /// InputError if one of them is not there or empty.
   void resume(std::vector<double> times);
+  /// Removes the index and every file of a series of that name in the folder.
+  void clear();
   const std::vector<double>& times() const { return times_; }
 
   std::filesystem::path index_file() const { return folder_ / (name_ + ".pvd"); }
@@ -47,11 +55,13 @@ class ParticleSeries {
 
  private:
   std::string file_name(std::size_t number) const;
+  void remove_from(std::size_t number) const;
   void write_index() const;
 
   std::filesystem::path folder_;
   std::string name_;
   std::vector<double> times_;
+  std::size_t flushed_ = 0;  ///< files that are on the disk for sure
 };
 
 }  // namespace plumb

@@ -3,6 +3,8 @@
 #include <functional>
 #include <string_view>
 
+#include "plumbline/output/file.hpp"
+
 namespace plumb {
 
 /// Takes the next piece of a file.
@@ -11,6 +13,6 @@ using WritePiece = std::function<void(std::string_view)>;
 /// As replace_file() for content that is made piece by piece, so that it need not fit into memory: `make` is
 /// called once, with what takes the pieces.
 void replace_file_in_pieces(const std::filesystem::path& path,
-                            const std::function<void(const WritePiece& write)>& make);
+                            const std::function<void(const WritePiece& write)>& make, Flush flush = Flush::now);
 
 }  // namespace plumb

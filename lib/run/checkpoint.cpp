@@ -70,7 +70,8 @@ void write(const Hdf5Image& file, const Checkpoint& c) {
              std::vector<double>{p.linear[0], p.linear[1], p.linear[2], p.angular[0], p.angular[1],
                                  p.angular[2], p.linear_scale, p.angular_scale});
   file.write("work", std::vector<std::int64_t>{c.work.particle_evaluations, c.work.pair_evaluations});
-  file.write("seconds", std::vector<double>{c.wall, c.cpu});
+  file.write("seconds", std::vector<double>{c.wall, c.cpu, c.writing});
+  file.write("supports", std::vector<double>{c.support_work, c.support_power});
   const RecorderMark& r = c.recorder;
   file.write("recorder", std::vector<std::int64_t>{r.next, r.recorded, r.series_bytes});
   if (!r.particle_times.empty()) file.write("particle times", r.particle_times);
@@ -94,8 +95,10 @@ Checkpoint read(const Hdf5Image& file) {
   c.initial_momentum = {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6], p[7]};
   const auto work = file.integers("work", 2);
   c.work = {work[0], work[1]};
-  const auto seconds = file.numbers("seconds", 2);
-  c.wall = seconds[0], c.cpu = seconds[1];
+  const auto seconds = file.numbers("seconds", 3);
+  c.wall = seconds[0], c.cpu = seconds[1], c.writing = seconds[2];
+  const auto supports = file.numbers("supports", 2);
+  c.support_work = supports[0], c.support_power = supports[1];
   const auto r = file.integers("recorder", 3);
   c.recorder = {r[0], r[1], r[2], {}};
   if (file.has("particle times")) c.recorder.particle_times = file.numbers("particle times");
@@ -155,14 +158,21 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
   return checkpoint_of(content.view(), file.string());
 }
 
+void require_same_settings(const std::string& name, const std::map<std::string, std::string>& here,
+                           const std::map<std::string, std::string>& there) {
+  const auto found = differences(here, there);
+  if (!found.empty())
+    throw InputError(name + " belongs to another scene", join(found, "; "),
+                     "start the run anew, without --resume");
+}
+
 void require_same_origin(const Checkpoint& checkpoint, const std::string& program,
                          const std::map<std::string, std::string>& scene, const std::string& name) {
-  const std::string anew = "start the run anew, without --resume";
   if (checkpoint.program != program)
     throw InputError(name + " was written by another version",
-                     fmt::format("{}; this is {}", checkpoint.program, program), anew);
-  const auto found = differences(scene, checkpoint.scene);
-  if (!found.empty()) throw InputError(name + " belongs to another scene", join(found, "; "), anew);
+                     fmt::format("{}; this is {}", checkpoint.program, program),
+                     "start the run anew, without --resume");
+  require_same_settings(name, scene, checkpoint.scene);
 }
 
 }  // namespace plumb

@@ -33,8 +33,10 @@ struct Checkpoint {
   Energy initial_energy;
   Momentum initial_momentum;
   Work work;
-  double wall = 0, cpu = 0;  ///< seconds spent so far
+  double wall = 0, cpu = 0, writing = 0;  ///< seconds spent so far; writing is a part of wall
   RecorderMark recorder;
+  double support_work = 0;   ///< of supports that move, so far [J]
+  double support_power = 0;  ///< that the last evaluation adds to the next step [W]
 };
 
 /// Whether all numbers of the state are finite; one that is not cannot be read back.
@@ -51,6 +53,11 @@ Checkpoint checkpoint_of(std::string_view bytes, const std::string& name);
 /// Replaces the file as a whole (replace_file): whatever happens, the old or the new content is there.
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+/// Throws InputError that names the differences if the file of that name belongs to a scene with other
+/// settings.
+void require_same_settings(const std::string& name, const std::map<std::string, std::string>& here,
+                           const std::map<std::string, std::string>& there);
 
 /// Throws InputError that names the differences if the checkpoint is of another scene or another build.
 void require_same_origin(const Checkpoint& checkpoint, const std::string& program,

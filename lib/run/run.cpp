@@ -44,6 +44,26 @@ double step_for(const Solid<d>& solid, const StepControl& control, double crossi
   return std::min(control.cfl * crossing, solid.step_limit);
 }
 
+/// A step and the moment that it is cut to meet, if any [s].
+struct NextStep {
+  double dt;
+  std::optional<double> meets;
+  bool last = false;
+};
+
+/// Cuts the allowed step at the next multiple of the interval and at the end.
+NextStep next_step(const StepControl& control, double time, double allowed) {
+  constexpr double rounding = 1e-12;  // what rounding leaves of a moment after a million steps
+  NextStep step{allowed, {}};
+  if (control.interval) {
+    const double next = (std::floor(time / *control.interval * (1 + rounding)) + 1) * *control.interval;
+    if (time + allowed >= next * (1 - rounding)) step = {next - time, next};
+  }
+  if (control.end_time && time + step.dt >= *control.end_time * (1 - rounding))
+    step = {*control.end_time - time, *control.end_time, true};
+  return step;
+}
+
 template <int d>
 bool finished(const State<d>& state, const StepControl& control) {
   // 1e-12 of the end time: what rounding leaves of it after a million steps
@@ -90,19 +110,22 @@ RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const
   result.stopped = observe && !observe(solid, state);
   ClosestPairs<d> closest;
   while (!result.stopped && !finished(state, control)) {
-    double dt = next_time_step(solid, state, control, closest);
-    if (!(dt > control.collapse * history.dt.first)) {
-      const Cause cause = std::isfinite(dt) ? Cause::time_step_collapse : Cause::non_finite;
-      result.failure = Failure{state.time, state.step, cause, -1, dt, "time step"};
+    const double allowed = next_time_step(solid, state, control, closest);
+    if (!(allowed > control.collapse * history.dt.first)) {
+      const Cause cause = std::isfinite(allowed) ? Cause::time_step_collapse : Cause::non_finite;
+      result.failure = Failure{state.time, state.step, cause, -1, allowed, "time step"};
       break;
     }
-    const bool last = control.end_time && state.time + dt >= *control.end_time;
-    if (last) dt = *control.end_time - state.time;
-    if (!stepper.step(solid, state, dt)) {
+    const NextStep next = next_step(control, state.time, allowed);
+    if (!stepper.step(solid, state, next.dt)) {
       result.failure = unsound(solid.unsound, state.time, state.step);
       break;
     }
-    if (!last || history.dt.first == 0) history.dt.count(dt);  // the cut step says nothing about stability
+    if (next.meets) state.time = *next.meets;  // without the rounding of the sum
+    if (!next.last)
+      history.dt.count(allowed);
+    else if (history.dt.first == 0)
+      history.dt.count(next.dt);
     if (state.step % steps_between_checks == 0)
       result.failure = out_of_bounds(solid, state, control, history);
     if (result.failure) break;

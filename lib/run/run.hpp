@@ -16,6 +16,7 @@ struct StepControl {
   std::optional<double> fixed_step;  ///< [s]; instead of cfl
   WaveSpeed wave_speed = WaveSpeed::linear;
   std::optional<double> end_time;  ///< [s]; the last step is cut to meet it
+  std::optional<double> interval;  ///< [s]; steps are cut so that a state falls on each of its multiples
   std::optional<long> max_steps;
   std::optional<double> energy_bound;  ///< unstable if the total energy exceeds (1 + bound) times the initial
                                        ///< one by more than round-off
@@ -38,6 +39,8 @@ struct Failure {
   std::string_view quantity;
 };
 
+/// Of the steps that the control allowed: one that was cut at a multiple of the interval counts in full, and
+/// the one that was cut at the end not at all, unless it is the only one.
 struct StepStatistics {
   double first = 0, least = 0, most = 0, last = 0;  ///< [s]
   void count(double dt);

@@ -76,7 +76,7 @@ ShapeLengths read_lengths(const Section& section, const std::string& shape, int 
         lengths[entry.name] = section.numbers(entry.name, whole, quantity::number);
         break;
       case ShapeLength::Kind::points:
-        lengths[entry.name] = section.numbers(entry.name, 0, quantity::length);
+        lengths[entry.name] = section.points(entry.name, whole, quantity::length);
         break;
     }
   }
@@ -111,19 +111,23 @@ void read_box(const Section& section, Body& body, int dimension) {
   if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
 }
 
-/// Shapes other than boxes: origin and size become those of the box around.
+/// Shapes other than boxes: origin and size become those of the box around. One that fills it is a box.
 void read_shape(const Section& section, Body& body, int dimension) {
   if (dimension == 0)
     section.fail("shape", fmt::format("\"{}\" in a study", body.shape),
                  "the body of a study is the domain of its solution", "leave it out");
   body.lengths = read_lengths(section, body.shape, dimension);
   at_section(section, dimension, [&]<int d>() {
-    const Box<d> box = shape_named<d>(body.shape, body.lengths).box;
+    const Shape<d> shape = shape_named<d>(body.shape, body.lengths);
+    const Box<d>& box = shape.box;
     if (!box.size.allFinite())
       throw InputError(fmt::format("a body of shape \"{}\"", body.shape), "it has no bounds",
                        "use it as a [[body.hole]] that cuts another shape");
     body.origin.assign(box.origin.data(), box.origin.data() + d);
     body.size.assign(box.size.data(), box.size.data() + d);
+    if (shape.clip) return;
+    body.shape = "box";
+    body.lengths.clear();
   });
 }
 

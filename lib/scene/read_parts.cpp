@@ -4,6 +4,7 @@
 
 #include "plumbline/scene/names.hpp"
 #include "plumbline/scene/readers.hpp"
+#include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
 namespace {
@@ -67,6 +68,16 @@ Boundary read_boundary(const Section& section, int dimension) {
   return boundary;
 }
 
+/// A hole or a curve may leave no material there.
+template <int d>
+void require_material(const Section& section, const Body& body, const Probe& probe) {
+  const double distance = shape_of<d>(body).distance(Eigen::Map<const Vec<d>>(probe.at.data()));
+  const double longest = *std::max_element(body.size.begin(), body.size.end());
+  if (distance > 1e-9 * longest)  // rounding of typed coordinates
+    section.fail("at", fmt::format("there is no material at ({:.9g})", fmt::join(probe.at, ", ")),
+                 fmt::format("the body is {:.4g} m away", distance), "move the probe into it");
+}
+
 Probe read_probe(const Section& section, const Body& body) {
   Probe probe;
   probe.name = section.text("name");
@@ -79,6 +90,8 @@ Probe read_probe(const Section& section, const Body& body) {
           "at", fmt::format("{} = {} m is outside the body", "XYZ"[k], probe.at[k]),
           fmt::format("it reaches from {:.9g} to {:.9g} m", body.origin[k], body.origin[k] + body.size[k]));
   }
+  if (probe.at.size() == 2) require_material<2>(section, body, probe);
+  if (probe.at.size() == 3) require_material<3>(section, body, probe);
   section.reject_unknown();
   return probe;
 }

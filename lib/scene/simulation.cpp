@@ -90,6 +90,7 @@ StepControl step_control(const Scene& scene) {
   control.wave_speed = wave_speed_named(scene.method.wave_speed);
   control.end_time = scene.end_time;
   control.max_steps = scene.max_steps;
+  if (scene.output && (scene.output->series || scene.output->vtk)) control.interval = scene.output->every;
   bool driven = scene.load.has_value();
   for (const auto& boundary : scene.boundaries)
     driven = driven || (boundary.kind != BoundaryKind::clamped && boundary.kind != BoundaryKind::roller);

@@ -52,7 +52,7 @@ TEST_P(Interrupt, FinishedPartsAreKeptAndUsed) {
   ASSERT_LE(run_shell(call(to("whole.json"))).code, 1);
   EXPECT_FALSE(std::filesystem::exists(kept())) << "a whole study leaves nothing behind";
   const auto ended = interrupted_when("ls " + kept() + "/*.json", call(to("none.json")));
-  ASSERT_EQ(ended.code, 1) << ended.error;
+  ASSERT_EQ(ended.code, 130) << ended.error;
   ASSERT_NE(ended.error.find("finished parts are kept in"), std::string::npos) << ended.error;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.json"));
   const auto rest = run_shell(call(to("rest.json")));
@@ -97,7 +97,7 @@ TEST(InterruptStability, FinishedRunsAreKept) {
                            "/verification/stability/small-motion.toml --threads 1 --cache " + cache +
                            " --json " + (folder / "result.json").string();
   const auto ended = interrupted_when("[ $(ls " + cache + " | wc -l) -ge 5 ]", call);
-  ASSERT_EQ(ended.code, 1) << ended.error;
+  ASSERT_EQ(ended.code, 130) << ended.error;
   EXPECT_EQ(json::parse(test::content_of(folder / "result.json"))["status"], "interrupted");
   const auto count = [&] { return std::distance(std::filesystem::directory_iterator(cache), {}); };
   const auto before = count();
@@ -116,7 +116,7 @@ TEST(InterruptReport, FinishedStudiesAreStored) {
   const std::string call = plumb + " report --only kernels,gradients,refinement --threads 1 --root " + root +
                            " --out " + (folder / "out").string();
   const auto ended = interrupted_when("ls " + (folder / "out").string() + "/store/*/cost.json", call);
-  ASSERT_EQ(ended.code, 1) << ended.out;
+  ASSERT_EQ(ended.code, 130) << ended.out;
   EXPECT_NE(ended.error.find("studies are finished and stored"), std::string::npos) << ended.error;
   const auto rest = run_shell(call);
   EXPECT_EQ(rest.code, 0) << rest.error;

@@ -9,6 +9,8 @@
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
 #include "plumb/result.hpp"
+#include "plumb/run/interrupt.hpp"
+#include "plumb/run/waiting.hpp"
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
 #include "plumbline/core/error.hpp"
@@ -48,7 +50,8 @@ int complain(const std::exception& error, const std::string& text, int code,
 }
 
 /// Parses, checks at the door, runs the chosen subcommand; the exit code.
-int run(CLI::App& program, plumb::Session& session, const std::vector<std::string>& words) {
+int run(CLI::App& program, plumb::Session& session, const std::vector<std::string>& words,
+        char** arguments) {
   try {
     std::vector<std::string> list = plumb::with_help_option(program, words);
     std::reverse(list.begin(), list.end());  // as CLI11 takes a list
@@ -64,7 +67,15 @@ int run(CLI::App& program, plumb::Session& session, const std::vector<std::strin
     return done;
   }
   session.check();
+  if (session.threads != 1) plumb::let_waiting_threads_sleep(arguments);
   return session.finish(session.action());
+}
+
+/// The exit code when all text has been taken: what was lost on a full device must not look like success.
+int flushed(int code) {
+  if (std::cout.flush()) return code;
+  std::cerr << "plumb: cannot write to standard output\n";
+  return code == done ? failed : code;
 }
 
 }  // namespace
@@ -77,11 +88,11 @@ int main(int count, char** arguments) {
     CLI::App program("Plumbline: total Lagrangian SPH for solids, checked against mathematics", "plumb");
     program.set_version_flag("--version", plumb::version_text());
     plumb::add_all_commands(program, session);
-    return run(program, session, words_of(count, arguments));
+    return flushed(run(program, session, words_of(count, arguments), arguments));
   } catch (const plumb::InputError& error) {
     return complain(error, "plumb: " + plumb::message_of(error), bad_input, words_of(count, arguments));
   } catch (const plumb::SittingEnded& ended) {  // no error: the same call goes on from there
-    return complain(std::string("plumb: ") + ended.what(), failed);
+    return complain(std::string("plumb: ") + ended.what(), plumb::interrupt_exit_code());
   } catch (const std::bad_alloc&) {
     const std::runtime_error error("out of memory; try a coarser spacing or fewer particles");
     return complain(error, std::string("plumb: ") + error.what(), failed, words_of(count, arguments));

@@ -63,6 +63,25 @@ TEST(File, AFolderThatVanishedLeavesNothing) {
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
+TEST(File, OnlyUnfinishedFilesOfOurNamesAreRemoved) {
+  const test::TemporaryFolder folder;
+  for (const char* name :
+       {"a.csv.12.tmp", "a.csv.x2.tmp", "a.csv..tmp", "b.csv.12.tmp", "a.csv", "a.csv.tmp"})
+    std::ofstream(folder / name) << "x";
+  remove_unfinished_files(folder.path(), [](const std::string& name) { return name == "a.csv"; });
+  EXPECT_FALSE(fs::exists(folder / "a.csv.12.tmp"));
+  EXPECT_EQ(files_in(folder.path()), 5U);
+  EXPECT_NO_THROW(remove_unfinished_files(folder / "gone", [](const std::string&) { return true; }));
+}
+
+TEST(File, WhatIsLeftToTheSystemIsWholeAndCanBeFlushed) {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a", "content", Flush::later);
+  EXPECT_EQ(test::content_of(folder / "a"), "content");
+  EXPECT_NO_THROW(flush_file(folder / "a"));
+  EXPECT_THROW(flush_file(folder / "gone"), OutputError);
+}
+
 TEST(File, BadPlacesAreRefusedAtTheDoorAndNothingIsMade) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(require_writable(folder / "gone/a.json", "--json"), InputError);

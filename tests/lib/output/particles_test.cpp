@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 
 #include "places.hpp"
+#include "plumbline/core/error.hpp"
 #include "plumbline/output/file.hpp"
 #include "tests/support/program.hpp"
 
@@ -89,6 +91,29 @@ TEST(Particles, AFieldOfTheWrongSizeIsRefusedBeforeAnythingIsWritten) {
   const std::array<PointField, 1> fields{{{"J", 1, positions}}};
   EXPECT_THROW(series.write({0, 2, positions, fields}), std::invalid_argument);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Particles, AContinuedSeriesRemovesItsLaterFilesAndAClearedOneAllOfThem) {
+  const test::TemporaryFolder folder;
+  const std::array positions{0.0, 1.0};
+  ParticleSeries series(folder.path(), "run");
+  for (int k = 0; k < 4; ++k) series.write({0.5 * k, 2, positions, {}});
+  series.flush();
+  series.finish();
+  for (const char* name : {"run_1.vtp", "run_00000x.vtp", "runs_000003.vtp"})
+    std::ofstream(folder / name) << "x";
+  ParticleSeries again(folder.path(), "run");
+  again.resume({0, 0.5});
+  const auto has = [&](const char* name) { return std::filesystem::exists(folder / name); };
+  EXPECT_TRUE(has("run_000001.vtp"));
+  EXPECT_FALSE(has("run_000002.vtp"));
+  EXPECT_FALSE(has("run_000003.vtp"));
+  EXPECT_EQ(read_back(again).size(), 2U);
+  std::ofstream(folder / "run_000001.vtp").close();  // empty
+  EXPECT_THROW(ParticleSeries(folder.path(), "run").resume({0, 0.5}), InputError);
+  again.clear();
+  for (const char* gone : {"run.pvd", "run_000000.vtp", "run_000001.vtp"}) EXPECT_FALSE(has(gone)) << gone;
+  for (const char* kept : {"run_1.vtp", "run_00000x.vtp", "runs_000003.vtp"}) EXPECT_TRUE(has(kept)) << kept;
 }
 
 TEST(Particles, AfterAFailedWriteTheIndexStillListsTheFilesThatExist) {

@@ -27,7 +27,8 @@ Checkpoint example() {
   c.initial_energy = {1.1, 2.2, 3.3};
   c.initial_momentum = {{1, 2, 3}, {4, 5, 6}, 7, 8};
   c.work = {1L << 40, 1L << 50};
-  c.wall = 12.5, c.cpu = 25;
+  c.wall = 12.5, c.cpu = 25, c.writing = 1.5;
+  c.support_work = 0.7, c.support_power = -2.0 / 7;
   c.recorder = {3, 99, 4711, {0, 0.1, 0.2}};
   return c;
 }
@@ -54,7 +55,12 @@ TEST(Checkpoint, GivesBackEveryBit) {
   EXPECT_EQ(back.carried, c.carried);
   EXPECT_EQ(back.dt.least, c.dt.least);
   EXPECT_EQ(back.dt.last, c.dt.last);
+  EXPECT_EQ(back.initial_energy.kinetic, 1.1);
+  EXPECT_EQ(back.initial_energy.strain, 2.2);
   EXPECT_EQ(back.initial_energy.terms, 3.3);
+  EXPECT_EQ(back.writing, 1.5);
+  EXPECT_EQ(back.support_work, 0.7);
+  EXPECT_EQ(back.support_power, c.support_power);
   EXPECT_EQ(back.initial_momentum.angular, c.initial_momentum.angular);
   EXPECT_EQ(back.initial_momentum.angular_scale, 8);
   EXPECT_EQ(back.work.pair_evaluations, c.work.pair_evaluations);

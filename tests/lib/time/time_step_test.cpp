@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/run/run.hpp"
 #include "plumbline/solid/evaluate.hpp"
 #include "tests/support/solids.hpp"
@@ -43,6 +47,33 @@ TEST(CrossingTime, SeesTheShortestPairAndTheLeastStretch) {
   }
 }
 
+/// Where the stretch differs from particle to particle, every pair goes by the mean of its two.
+TEST(CrossingTime, GoesByTheMeanStretchOfEveryPair) {
+  const Solid<2> solid = rubber_block<2>(8, Layout::node, 0.2);
+  State<2> state = make_state(solid);
+  deform(solid, state, 0.3);
+  std::vector<double> stretch;
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Mat<2> F = deformation_gradient_of(solid, state, i), C = F.transpose() * F;
+    const double half = 0.5 * C.trace();
+    stretch.push_back(std::sqrt(half - std::sqrt(half * half - C.determinant())));
+  }
+  double straight = 1e9, inverse = 1e9;
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    for (Index j = 0; j < i; ++j) {
+      if ((solid.cloud.X[j] - solid.cloud.X[i]).norm() >= 2 * solid.smoothing_length) continue;
+      const double r = (position_of(solid, state, j) - position_of(solid, state, i)).norm();
+      const double mean = 0.5 * (stretch[i] + stretch[j]);
+      straight = std::min(straight, r / mean);
+      inverse = std::min(inverse, r * mean);
+    }
+  const double c = solid.elastic.wave_speed();
+  EXPECT_DOUBLE_EQ(c,
+                   std::sqrt((solid.elastic.bulk_modulus() + 4 * solid.elastic.shear_modulus() / 3) / 1100));
+  EXPECT_NEAR(crossing_time(solid, state, WaveSpeed::stretch), straight / c, 1e-9 * straight / c);
+  EXPECT_NEAR(crossing_time(solid, state, WaveSpeed::stretch_inverse), inverse / c, 1e-9 * inverse / c);
+}
+
 TEST(Run, MeetsTheEndTimeAndCountsWork) {
   Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
   State<2> state = make_state(solid);
@@ -58,6 +89,39 @@ TEST(Run, MeetsTheEndTimeAndCountsWork) {
   EXPECT_EQ(state.step, 4);
   EXPECT_EQ(solid.work.particle_evaluations, 4 * 3 * solid.cloud.size());
   EXPECT_EQ(solid.work.pair_evaluations, 4 * 3 * solid.bonds.pairs);
+}
+
+/// States fall on every multiple of the interval, to the last bit, and no cut step is taken for one that
+/// stability asks for.
+TEST(Run, MeetsEveryMultipleOfTheInterval) {
+  for (const std::string integrator : {"rk3", "verlet"})
+    for (const double share : {0.3, 0.25, 1.0, 2.5}) {  // of the interval
+      Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
+      State<2> state = make_state(solid);
+      deform(solid, state, 0.01);
+      const Stepper<2> stepper = stepper_named<2>(integrator, solid);
+      StepControl control;
+      control.fixed_step = 0.3 * crossing_time(solid, state, WaveSpeed::linear);
+      control.interval = *control.fixed_step / share;
+      control.end_time = 5.5 * *control.interval;
+      std::vector<double> times;
+      const RunResult result =
+          run<2>(solid, state, stepper, control, [&](const Solid<2>&, const State<2>& now) {
+            times.push_back(now.time);
+            return true;
+          });
+      EXPECT_TRUE(result.completed());
+      for (int k = 0; k <= 5; ++k)
+        EXPECT_EQ(std::count(times.begin(), times.end(), k * *control.interval), 1) << share << ' ' << k;
+      EXPECT_EQ(times.back(), *control.end_time);
+      const long each = std::lround(std::ceil(1 / share)), rest = std::lround(std::ceil(0.5 / share));
+      EXPECT_EQ(state.step, 5 * each + rest) << share;
+      for (std::size_t n = 1; n < times.size(); ++n)
+        EXPECT_LE(times[n] - times[n - 1], *control.fixed_step * (1 + 1e-9));
+      EXPECT_EQ(result.dt.first, *control.fixed_step);
+      EXPECT_EQ(result.dt.least, *control.fixed_step);
+      EXPECT_EQ(result.dt.most, *control.fixed_step);
+    }
 }
 
 TEST(Run, AnExplosionIsStoppedAndTheLastGoodStateKept) {

@@ -11,6 +11,7 @@
 #include "places.hpp"
 #include "plumb/claims/measure.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/run/kept_folder.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/terminal.hpp"
@@ -81,6 +82,9 @@ Json json_of(const claims::Claim& claim) {
 
 /// Runs a command of the ledger once and keeps its JSON; a run writes into the store's folder.
 claims::RunCommand runner(const ClaimsOptions& options, int threads) {
+  if (options.store.empty())
+    throw InputError("there is no folder for the results", "neither XDG_CACHE_HOME nor HOME names one",
+                     "give one with --store");
   const auto store = std::make_shared<reports::run::Store>(options.store, fs::canonical("/proc/self/exe"),
                                                            fs::canonical(options.root), threads);
   return [store](const std::string& command) {
@@ -155,7 +159,7 @@ int run_claims(const Session& session, const ClaimsOptions& options) {
 /// `plumb claims`: the ledger of the papers' claims.
 void add_claims(CLI::App& program, Session& session) {
   const auto options = std::make_shared<ClaimsOptions>();
-  options->store = fs::temp_directory_path() / "plumb-claims";
+  options->store = kept_folder("claims");
   CLI::App& command =
       add_command(program, session,
                   {"claims", "what the papers say, what was found, and whether it is reproduced",
@@ -165,9 +169,11 @@ void add_claims(CLI::App& program, Session& session) {
   command.add_flag("--long", options->long_too, "with --check: those that take minutes too");
   command.add_option("--ledger", options->ledger, "folder of the ledger")->type_name("DIR");
   command.add_option("--root", options->root, "folder that the commands are run in")->type_name("DIR");
-  command.add_option("--store", options->store, "keeps results, so that each is computed once")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command
+      .add_option(
+          "--store", options->store,
+          "with --check: keeps results, so that each is computed once (" + kept_folder_text("claims") + ")")
+      ->type_name("DIR");
 }
 
 }  // namespace plumb

@@ -37,7 +37,13 @@ std::optional<double> seconds_per_step(Simulation<d>& simulation, double dt, lon
 
 /// Steps to the end with a constant step; the run may differ if the body deforms.
 long steps_to_end(const StepControl& control, double dt) {
-  const double by_time = control.end_time ? std::ceil(*control.end_time / dt * (1 - 1e-12)) : 1e18;
+  const auto steps_in = [dt](double time) { return std::ceil(time / dt * (1 - 1e-12)); };
+  double by_time = 1e18;
+  if (control.end_time) {  // every interval is filled with steps of its own
+    const double end = *control.end_time, interval = control.interval.value_or(end);
+    const double whole = std::floor(end / interval * (1 + 1e-12)), rest = end - whole * interval;
+    by_time = whole * steps_in(interval) + (rest > 1e-12 * end ? steps_in(rest) : 0);
+  }
   const double by_count = control.max_steps ? static_cast<double>(*control.max_steps) : 1e18;
   return static_cast<long>(std::min(by_time, by_count));
 }

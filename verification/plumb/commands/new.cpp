@@ -34,6 +34,10 @@ std::string filled(std::string_view text, const std::string& name, const std::st
 
 int write_new(const Session& session, const Template& kind, const std::string& wanted) {
   std::filesystem::path file = wanted;
+  const std::string last = file.filename().string();
+  if (last.empty() || last == "." || last == ".." || last == ".toml")
+    throw InputError(fmt::format("\"{}\" names no file", wanted), "a scene and a study have a name",
+                     "give one, such as first.toml");
   if (file.extension() != ".toml") file += ".toml";
   const std::string name = file.stem().string();
   if (name.find_first_of("\"\\\n@") != std::string::npos)

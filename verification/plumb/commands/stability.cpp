@@ -13,6 +13,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
 #include "plumb/run/interrupt.hpp"
+#include "plumb/run/kept_folder.hpp"
 #include "plumb/run/trial_cache.hpp"
 #include "plumb/session.hpp"
 #include "plumbline/output/file.hpp"
@@ -28,7 +29,7 @@ using Json = nlohmann::ordered_json;
 struct StabilityOptions {
   std::string study;
   std::vector<std::string> overrides;
-  std::string cache = "out/stability";
+  std::string cache = kept_folder("stability").string();
 };
 
 /// One place of the map.
@@ -173,8 +174,9 @@ int stability(const Session& session, const StabilityOptions& options) {
   for (const auto& cell : map.cells)
     if (cell.done) rows.push_back(row_of(cell, study.parameter));
   session.write_table(rows);
-  if (!whole)
-    session.text() << "interrupted: the runs that are finished are kept and will not be run again\n";
+  if (!whole) session.text() << "interrupted\n";
+  if (!options.cache.empty())
+    session.text() << "finished runs are kept in " << options.cache << " and will not be run again\n";
   const bool pulled = study.parameter == EdgeParameter::stretch;
   session.write_json(
       {{"study", study.name},
@@ -191,7 +193,7 @@ int stability(const Session& session, const StabilityOptions& options) {
          {"hourglass", study.bounds.hourglass ? Json(*study.bounds.hourglass) : Json()}}},
        {"status", whole ? "completed" : "interrupted"},
        {"rows", rows}});
-  return whole ? 0 : 1;
+  return whole ? 0 : interrupt_exit_code();
 }
 
 }  // namespace
@@ -207,9 +209,10 @@ void add_stability(CLI::App& program, Session& session) {
   command.add_option("STUDY", options->study, "the study file (.toml)")->required()->type_name("FILE");
   command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
       ->type_name("section.key=value");
-  command.add_option("--cache", options->cache, "folder of finished runs; empty: none is kept")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command
+      .add_option("--cache", options->cache,
+                  "folder of finished runs; empty: none is kept (" + kept_folder_text("stability") + ")")
+      ->type_name("DIR");
 }
 
 }  // namespace plumb

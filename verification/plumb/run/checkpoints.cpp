@@ -52,7 +52,8 @@ RunBook restore(const Checkpoint& c, Simulation<d>& simulation) {
     simulation.stepper.carry(carried);
   }
   solid.work = c.work;
-  RunBook book{c.initial_energy, c.initial_momentum, {}, {.setup = 0, .wall = c.wall, .cpu = c.cpu}};
+  RunBook book{c.initial_energy, c.initial_momentum, {}, {}, c.support_work, c.support_power};
+  book.timing = {.setup = 0, .wall = c.wall, .cpu = c.cpu, .writing = c.writing};
   book.history = {c.dt, c.initial_energy.total()};
   return book;
 }
@@ -91,7 +92,10 @@ void Checkpoints<d>::write(const Simulation<d>& simulation, const RunBook& book,
                               solid.work,
                               book.timing.wall,
                               book.timing.cpu,
-                              recorder};
+                              book.timing.writing,
+                              recorder,
+                              book.support_work,
+                              book.support_power};
   if (!is_finite(checkpoint)) return;
   try {
     write_checkpoint(file_, checkpoint);

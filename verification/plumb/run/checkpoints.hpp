@@ -9,9 +9,11 @@ namespace plumb {
 
 /// Seconds that a run took. CPU time counts all threads.
 struct Timing {
-  double setup = 0;  ///< wall time of reading and building [s]
-  double wall = 0;   ///< wall time of the steps [s]
-  double cpu = 0;    ///< CPU time of the steps [s]
+  double setup = 0;                                    ///< wall time of reading and building [s]
+  double wall = 0;                                     ///< wall time of the steps and of writing [s]
+  double cpu = 0;                                      ///< CPU time of both [s]
+  double writing = 0;                                  ///< wall time of writing [s]
+  double computing() const { return wall - writing; }  ///< wall time of the steps alone [s]
 };
 
 /// What belongs to a run from its very first step on, and is not in the simulation.
@@ -20,6 +22,7 @@ struct RunBook {
   Momentum initial_momentum;
   RunHistory history;
   Timing timing;
+  double support_work = 0, support_power = 0;  ///< SupportWork::done and power, so far
 };
 
 /// The book of a run that begins in this state.

@@ -5,28 +5,36 @@ namespace {
 
 volatile std::sig_atomic_t asked_to_end = 0;
 
-void ask_to_end(int) {
-  asked_to_end = 1;
+constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+
+void ask_to_end(int signal) {
+  asked_to_end = signal;
 }
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() : old_interrupt_{}, old_terminate_{} {
+InterruptGuard::InterruptGuard() : old_{} {
   asked_to_end = 0;
   struct sigaction action {};
   action.sa_handler = &ask_to_end;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  ::sigaction(SIGINT, &action, &old_interrupt_);
-  ::sigaction(SIGTERM, &action, &old_terminate_);
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    ::sigaction(signals[k], nullptr, &old_[k]);
+    if (signals[k] == SIGHUP && old_[k].sa_handler == SIG_IGN) continue;
+    ::sigaction(signals[k], &action, nullptr);
+  }
 }
 
 InterruptGuard::~InterruptGuard() {
-  ::sigaction(SIGINT, &old_interrupt_, nullptr);
-  ::sigaction(SIGTERM, &old_terminate_, nullptr);
+  for (std::size_t k = 0; k < signals.size(); ++k) ::sigaction(signals[k], &old_[k], nullptr);
 }
 
 bool interrupted() {
   return asked_to_end != 0;
+}
+
+int interrupt_exit_code() {
+  return asked_to_end == 0 ? 1 : 128 + asked_to_end;
 }
 
 }  // namespace plumb

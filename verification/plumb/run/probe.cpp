@@ -8,10 +8,10 @@ template <int d>
 std::vector<BoundProbe> bind_probes(const std::vector<Probe>& probes, const Cloud<d>& cloud) {
   std::vector<BoundProbe> bound;
   for (const auto& probe : probes) {
-    BoundProbe nearest{probe.name, 0, std::numeric_limits<double>::max()};
+    BoundProbe nearest{probe.name, 0, std::numeric_limits<double>::max(), probe.at};
     for (Index i = 0; i < cloud.size(); ++i) {
       const double distance = (cloud.X[i] - Eigen::Map<const Vec<d>>(probe.at.data())).norm();
-      if (distance < nearest.distance) nearest = {probe.name, i, distance};
+      if (distance < nearest.distance) nearest = {probe.name, i, distance, probe.at};
     }
     bound.push_back(nearest);
   }

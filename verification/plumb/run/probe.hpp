@@ -11,7 +11,8 @@ namespace plumb {
 struct BoundProbe {
   std::string name;
   Index particle;
-  double distance;  ///< from the reference point to that particle [m]
+  double distance;         ///< from the reference point to that particle [m]
+  std::vector<double> at;  ///< the reference point [m]
 };
 
 template <int d>

@@ -31,6 +31,8 @@ Recorder<d>::Recorder(const Scene& scene, std::filesystem::path folder, const So
       material_(scene.material),
       folder_(std::move(folder)),
       probes_(bind_probes<d>(output_.probes, solid.cloud)) {
+  for (const auto& term : solid.terms)
+    if (term.energy) terms_.push_back(term.name);
   if (output_.vtk || output_.series) std::filesystem::create_directories(folder_);
   const auto series = folder_ / "series.csv";
   if (output_.series)
@@ -47,8 +49,10 @@ template <int d>
 std::vector<std::string> Recorder<d>::columns() const {
   const std::string per_thickness = d == 2 ? "/m" : "";
   std::vector<std::string> names{"step", "time [s]"};
-  for (const char* energy : {"kinetic energy", "strain energy", "total energy"})
-    names.push_back(std::string(energy) + " [J" + per_thickness + "]");
+  std::vector<std::string> energies{"kinetic", "strain"};
+  energies.insert(energies.end(), terms_.begin(), terms_.end());
+  energies.emplace_back("total");
+  for (const auto& energy : energies) names.push_back(energy + " energy [J" + per_thickness + "]");
   add_columns<d>(names, "linear momentum", d == 2 ? "kg/s" : "kg m/s");
   const std::string unit = d == 2 ? " [kg m/s]" : " [kg m^2/s]";
   for (int k = d == 2 ? 2 : 0; k < 3; ++k) names.push_back(std::string("angular momentum ") + axes[k] + unit);
@@ -75,6 +79,8 @@ void Recorder<d>::observe(const Solid<d>& solid, const State<d>& state) {
 template <int d>
 void Recorder<d>::finish(const Solid<d>& solid, const State<d>& state) {
   if (state.step != recorded_) record(solid, state);
+  if (particles_) particles_->finish();
+  if (series_) series_->flush();
 }
 
 template <int d>
@@ -88,8 +94,10 @@ template <int d>
 void Recorder<d>::record_series(const Solid<d>& solid, const State<d>& state) {
   const Energy energy = energy_of(solid, state);
   const Momentum momentum = momentum_of(solid, state);
-  std::vector<double> row{static_cast<double>(state.step), state.time, energy.kinetic, energy.strain,
-                          energy.total()};
+  std::vector<double> row{static_cast<double>(state.step), state.time, energy.kinetic, energy.strain};
+  for (const auto& term : solid.terms)
+    if (term.energy) row.push_back(term.energy(solid, state));
+  row.push_back(energy.total());
   row.insert(row.end(), momentum.linear.begin(), momentum.linear.begin() + d);
   row.insert(row.end(), momentum.angular.begin() + (d == 2 ? 2 : 0), momentum.angular.end());
   row.push_back(hourglass_share(solid, state));
@@ -103,9 +111,11 @@ void Recorder<d>::record_series(const Solid<d>& solid, const State<d>& state) {
 }
 
 template <int d>
-RecorderMark Recorder<d>::mark() const {
+RecorderMark Recorder<d>::mark() {
   RecorderMark mark{next_, recorded_, series_ ? series_->flush() : 0, {}};
-  if (particles_) mark.particle_times = particles_->times();
+  if (!particles_) return mark;
+  particles_->flush();
+  mark.particle_times = particles_->times();
   return mark;
 }
 

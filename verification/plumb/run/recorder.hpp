@@ -11,9 +11,9 @@
 namespace plumb {
 
 /// Writes what the scene's [output] asks for while a run goes on: FOLDER/series.csv and FOLDER/particles.pvd.
-/// A state is recorded at the first step at or after each multiple of `every`; time steps are not bent to it.
-/// The first and the last state are always recorded. What has been written stays, whatever happens to the
-/// run.
+/// A state is recorded at each multiple of `every`, where the steps of the run are cut
+/// (StepControl::interval). The first and the last state are always recorded. What has been written stays,
+/// whatever happens to the run.
 template <int d>
 class Recorder {
  public:
@@ -24,11 +24,11 @@ class Recorder {
 
   /// Records the state if its time has come. For the run's observer.
   void observe(const Solid<d>& solid, const State<d>& state);
-  /// Records the last state of a run unless that has been done.
+  /// Records the last state of a run unless that has been done, and puts it on the disk.
   void finish(const Solid<d>& solid, const State<d>& state);
 
   /// How far the files have come, flushed to the disk.
-  RecorderMark mark() const;
+  RecorderMark mark();
 
   const std::vector<BoundProbe>& probes() const { return probes_; }
   std::vector<std::filesystem::path> files() const;
@@ -42,6 +42,7 @@ class Recorder {
   MaterialChoice material_;
   std::filesystem::path folder_;
   std::vector<BoundProbe> probes_;
+  std::vector<std::string> terms_;  ///< that have an energy
   std::unique_ptr<CsvSeries> series_;
   std::optional<ParticleSeries> particles_;
   long next_ = 0;       ///< number of the next multiple of `every`

@@ -14,9 +14,9 @@ namespace plumb {
 void add_sitting_options(CLI::App& command, SittingOptions& options) {
   command
       .add_option("--unfinished", options.folder,
-                  "folder where finished parts wait if this is interrupted; empty: they are not kept")
-      ->type_name("DIR")
-      ->capture_default_str();
+                  "folder where finished parts wait if this is interrupted; empty: they are not kept (" +
+                      kept_folder_text("unfinished-studies") + ")")
+      ->type_name("DIR");
 }
 
 Sitting::Listener told(Progress& progress) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plumb/run/interrupt.hpp"
+#include "plumb/run/kept_folder.hpp"
 #include "plumbline/output/progress.hpp"
 #include "plumbline/output/sitting.hpp"
 
@@ -16,7 +17,7 @@ struct Session;
 
 /// Where the finished parts of a study wait that was interrupted; empty: they are not kept.
 struct SittingOptions {
-  std::string folder = "unfinished-studies";
+  std::string folder = kept_folder("unfinished-studies").string();
 };
 
 /// Adds --unfinished.
@@ -30,7 +31,7 @@ std::string content_of_study(const std::vector<std::string>& files, const std::v
 /// Says how many parts were not made anew.
 void tell_recalled(const Session& session, const Sitting& sitting);
 
-/// Runs a study in one sitting that Ctrl-C and SIGTERM end in good order, and returns what `work` made.
+/// Runs a study in one sitting that a signal ends in good order, and returns what `work` made.
 /// `files` are those that the study reads and `choices` what else decides its results; this program's build
 /// is added. Throws SittingEnded with what has become of the finished parts.
 template <class Work>

@@ -4,11 +4,12 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/likely_cause.hpp"
+#include "plumb/run/summary_parts.hpp"
 #include "plumbline/output/progress.hpp"
-#include "plumbline/output/terminal.hpp"
 #include "plumbline/run/traffic.hpp"
 
 namespace plumb {
@@ -21,25 +22,11 @@ Json list(const Vec<d>& v) {
   return std::vector<double>(v.data(), v.data() + d);
 }
 
-const char* status_of(const RunResult& result) {
-  if (result.failure) return "unstable";
-  return result.stopped ? "interrupted" : "completed";
-}
-
 /// |now - before| relative to the first scale that is not zero; 0 where there is no motion at all.
 double drift(const std::array<double, 3>& now, const std::array<double, 3>& before, double scale,
              double other_scale) {
   const double distance = std::hypot(now[0] - before[0], now[1] - before[1], now[2] - before[2]);
   return distance == 0 ? 0 : distance / (scale > 0 ? scale : other_scale);
-}
-
-struct Drifts {
-  double linear, angular;
-};
-
-Drifts drifts(const Momentum& now, const Momentum& before) {
-  return {drift(now.linear, before.linear, before.linear_scale, now.linear_scale),
-          drift(now.angular, before.angular, before.angular_scale, now.angular_scale)};
 }
 
 template <int d>
@@ -51,7 +38,9 @@ Json probes_json(const FinishedRun<d>& run) {
         {"position", list<d>(position_of(run.simulation.solid, run.simulation.state, probe.particle))},
         {"displacement", list<d>(vector_at<d>(run.simulation.state.u, slot))},
         {"velocity", list<d>(vector_at<d>(run.simulation.state.v, slot))},
-        {"particle", probe.particle}};
+        {"particle", probe.particle},
+        {"reference", list<d>(run.simulation.solid.cloud.X[probe.particle])},
+        {"distance", probe.distance}};
   }
   return probes;
 }
@@ -66,18 +55,26 @@ Json failure_json(const std::optional<Failure>& failure) {
           {"value", failure->value}};
 }
 
-Json energy_json(const Energy& now, const Energy& before) {
-  Json energy{
-      {"kinetic", now.kinetic}, {"strain", now.strain}, {"total", now.total()}, {"initial", before.total()}};
-  // A body at rest has no energy to compare with.
-  energy["relative_change"] = before.total() > 0 ? Json(now.total() / before.total() - 1) : Json();
-  return energy;
+template <int d>
+Json energy_json(const FinishedRun<d>& run) {
+  const EnergyBudget energy = energy_budget(run);
+  Json terms = Json::object();
+  for (const auto& [name, value] : energy.terms) terms[name] = value;
+  return {{"kinetic", energy.kinetic},
+          {"strain", energy.strain},
+          {"total", energy.total},
+          {"initial", energy.initial},
+          // A body at rest has no energy to compare with.
+          {"relative_change", energy.initial > 0 ? Json(energy.total / energy.initial - 1) : Json()},
+          {"terms", terms},
+          {"support_work", energy.support_work},
+          {"net_change", energy.net_change ? Json(*energy.net_change) : Json()}};
 }
 
 template <int d>
 Json momentum_json(const FinishedRun<d>& run) {
   const Momentum now = momentum_of(run.simulation.solid, run.simulation.state);
-  const Drifts drift = drifts(now, run.book.initial_momentum);
+  const Drifts drift = drifts_of(run);
   return {{"linear_momentum", std::vector<double>(now.linear.begin(), now.linear.begin() + d)},
           {"angular_momentum", now.angular},
           {"linear_drift", drift.linear},
@@ -85,6 +82,32 @@ Json momentum_json(const FinishedRun<d>& run) {
 }
 
 }  // namespace
+
+template <int d>
+EnergyBudget energy_budget(const FinishedRun<d>& run) {
+  const auto& [solid, state] = std::tie(run.simulation.solid, run.simulation.state);
+  const Energy now = energy_of(solid, state);
+  const double initial = run.book.initial_energy.total(), work = run.book.support_work;
+  EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, work, {}};
+  for (const auto& term : solid.terms)
+    if (term.energy) budget.terms[term.name] += term.energy(solid, state);
+  const double scale = initial + std::abs(work);
+  if (scale > energy_round_off(solid) && !has_other_work(run.simulation)) budget.net_change = (now.total() - initial - work) / scale;
+  return budget;
+}
+
+template <int d>
+Drifts drifts_of(const FinishedRun<d>& run) {
+  const Momentum now = momentum_of(run.simulation.solid, run.simulation.state);
+  const Momentum& before = run.book.initial_momentum;
+  return {drift(now.linear, before.linear, before.linear_scale, now.linear_scale),
+          drift(now.angular, before.angular, before.angular_scale, now.angular_scale)};
+}
+
+const char* status_of(const RunResult& result) {
+  if (result.failure) return "unstable";
+  return result.stopped ? "interrupted" : "completed";
+}
 
 template <int d>
 Json summary(const FinishedRun<d>& run) {
@@ -103,8 +126,7 @@ Json summary(const FinishedRun<d>& run) {
             {"steps", run.simulation.state.step},
             {"time", run.simulation.state.time},
             {"dt", {{"first", dt.first}, {"min", dt.least}, {"max", dt.most}, {"last", dt.last}}},
-            {"energy",
-             energy_json(energy_of(run.simulation.solid, run.simulation.state), run.book.initial_energy)}};
+            {"energy", energy_json(run)}};
   json.update(momentum_json(run));
   json["extent"] = {{"min", list<d>(extent.lower)}, {"max", list<d>(extent.upper)}};
   json["hourglass_share"] = hourglass_share(run.simulation.solid, run.simulation.state);
@@ -112,11 +134,13 @@ Json summary(const FinishedRun<d>& run) {
   json["failure"] = failure_json(run.result.failure);
   if (run.result.failure)
     json["failure"]["likely_cause"] = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
-  json["timing"] = {
-      {"setup_s", run.book.timing.setup},
-      {"wall_s", run.book.timing.wall},
-      {"cpu_s", run.book.timing.cpu},
-      {"particle_evaluations_per_s", static_cast<double>(work.particle_evaluations) / run.book.timing.wall}};
+  json["timing"] = {{"setup_s", run.book.timing.setup},
+                    {"wall_s", run.book.timing.wall},
+                    {"cpu_s", run.book.timing.cpu},
+                    {"computing_s", run.book.timing.computing()},
+                    {"writing_s", run.book.timing.writing},
+                    {"particle_evaluations_per_s",
+                     static_cast<double>(work.particle_evaluations) / run.book.timing.computing()}};
   json["work"] = {{"particle_evaluations", work.particle_evaluations},
                   {"pair_evaluations", work.pair_evaluations},
                   {"bytes", std::llround(static_cast<double>(work.particle_evaluations) *
@@ -131,39 +155,11 @@ Json summary(const FinishedRun<d>& run) {
   return json;
 }
 
-template <int d>
-std::string summary_text(const FinishedRun<d>& run) {
-  const Energy energy = energy_of(run.simulation.solid, run.simulation.state);
-  const Drifts drift =
-      drifts(momentum_of(run.simulation.solid, run.simulation.state), run.book.initial_momentum);
-  const Extent<d> extent = extent_of(run.simulation.solid, run.simulation.state);
-  const char* unit = d == 2 ? "J/m" : "J";
-  std::string text = fmt::format("{}: {} at {:.6g} s, {} steps, {} particles, {} + {} set-up\n",
-                                 run.scene.name, status_of(run.result), run.simulation.state.time,
-                                 run.simulation.state.step, run.simulation.solid.cloud.size(),
-                                 duration_text(run.book.timing.wall), duration_text(run.book.timing.setup));
-  if (const auto& failure = run.result.failure) {
-    text += fmt::format("  {}: {} = {:.6g}", name_of(failure->cause), failure->quantity, failure->value);
-    if (failure->particle >= 0) text += fmt::format(" at particle {}", failure->particle);
-    text += fmt::format(", step {}, t = {:.9g} s\n", failure->step, failure->time);
-    const std::string cause = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
-    if (!cause.empty())
-      text += "  " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 2, 2) + "\n";
-  }
-  text += fmt::format("  energy {:.9g} {} (kinetic {:.6g}, strain {:.6g}; at the start {:.9g})\n",
-                      energy.total(), unit, energy.kinetic, energy.strain, run.book.initial_energy.total());
-  text += fmt::format(
-      "  drift of linear momentum {:.3g}, of angular momentum {:.3g}, relative to the initial scale{}\n",
-      drift.linear, drift.angular, run.scene.boundaries.empty() ? "" : " (the supports push the body)");
-  for (int k = 0; k < d; ++k)
-    text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
-  if (run.simulation.compatible) text += "  " + compatible_text(run.simulation.compatible.get());
-  return text;
-}
-
 template Json summary<2>(const FinishedRun<2>&);
 template Json summary<3>(const FinishedRun<3>&);
-template std::string summary_text<2>(const FinishedRun<2>&);
-template std::string summary_text<3>(const FinishedRun<3>&);
+template EnergyBudget energy_budget<2>(const FinishedRun<2>&);
+template EnergyBudget energy_budget<3>(const FinishedRun<3>&);
+template Drifts drifts_of<2>(const FinishedRun<2>&);
+template Drifts drifts_of<3>(const FinishedRun<3>&);
 
 }  // namespace plumb

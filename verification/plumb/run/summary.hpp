@@ -18,13 +18,14 @@ struct FinishedRun {
   const RunBook& book;
 };
 
-/// The summary as in interface.md, plus "hourglass_share" (THEORY (8.4)). The drifts are distances from the
-/// initial momenta relative to the initial scales sum m |v| and sum m |x| |v|; for a body that starts at rest
+/// The summary for programs. "hourglass_share": THEORY (8.4). The drifts are distances from the initial
+/// momenta relative to the initial scales sum m |v| and sum m |x| |v|; for a body that starts at rest
 /// relative to the scales of the last state. In 2D energies and momenta are per metre of thickness.
 template <int d>
 nlohmann::ordered_json summary(const FinishedRun<d>& run);
 
-/// The energy, drift and extent of the summary as some lines for people.
+/// The same for people: times, the budget of the energy, the drift of the momenta of a body that nothing
+/// holds, extents and probes.
 template <int d>
 std::string summary_text(const FinishedRun<d>& run);
 

@@ -1,0 +1,105 @@
+#include "plumb/run/advance.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <functional>
+
+#include "plumb/run/interrupt.hpp"
+#include "plumb/run/support_work.hpp"
+
+namespace plumb {
+namespace {
+
+double cpu_time() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Share of the run that is done.
+template <int d>
+double fraction_done(const StepControl& control, const State<d>& state) {
+  double fraction = 0;
+  if (control.end_time) fraction = state.time / *control.end_time;
+  if (control.max_steps)
+    fraction = std::max(fraction, static_cast<double>(state.step) / static_cast<double>(*control.max_steps));
+  return fraction;
+}
+
+/// Time that passes while it lives, added to the time of a run that may have been continued.
+class Stopwatch {
+ public:
+  explicit Stopwatch(Timing& timing) : timing_(timing), before_(timing) {}
+  void read() const {
+    timing_.wall = before_.wall + wall_time() - wall_;
+    timing_.cpu = before_.cpu + cpu_time() - cpu_;
+  }
+
+ private:
+  Timing& timing_;
+  Timing before_;
+  double wall_ = wall_time(), cpu_ = cpu_time();
+};
+
+/// Does it, and adds the wall time that it takes to `seconds`.
+void timed(double& seconds, const std::function<void()>& work) {
+  const double start = wall_time();
+  work();
+  seconds += wall_time() - start;
+}
+
+}  // namespace
+
+double wall_time() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <int d>
+RunResult advance(const Scene& scene, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
+                  Progress::Style style) {
+  const InterruptGuard guard;
+  Progress progress(scene.name, style);
+  const Stopwatch watch(book.timing);
+  const double start = wall_time();
+  const long first = simulation.state.step;
+  const double before = fraction_done(simulation.control, simulation.state);
+  SupportWork<d> support_work(simulation);
+  support_work.resume(book.support_work, book.support_power);
+  const auto account = [&](const State<d>& state) {
+    support_work.observe(state);
+    book.support_work = support_work.done();
+    book.support_power = support_work.power();
+  };
+  const auto keep = [&] {
+    watch.read();
+    files.checkpoints->write(simulation, book, files.recorder.mark());
+  };
+  const auto observe = [&](const Solid<d>& solid, const State<d>& state) {
+    account(state);
+    timed(book.timing.writing, [&] {
+      files.recorder.observe(solid, state);
+      if (files.budget) files.budget->observe(solid, state);
+      if (files.checkpoints && files.checkpoints->due(state.time)) keep();
+    });
+    progress.update(fraction_done(simulation.control, state),
+                    fmt::format("t = {:.4g} s, step {}, {:.3g} steps/s", state.time, state.step,
+                                static_cast<double>(state.step - first) / (wall_time() - start)),
+                    before);
+    return !interrupted();
+  };
+  const RunResult result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
+                                  observe, book.history);
+  if (result.failure) account(simulation.state);  // the observer has not seen a step that broke a bound
+  timed(book.timing.writing, [&] {
+    // before the recorder's last row, which a run that goes on would not have
+    if (files.checkpoints && !result.completed()) keep();
+    files.recorder.finish(simulation.solid, simulation.state);
+  });
+  watch.read();
+  return result;
+}
+
+template RunResult advance<2>(const Scene&, Simulation<2>&, RunBook&, const RunFiles<2>&, Progress::Style);
+template RunResult advance<3>(const Scene&, Simulation<3>&, RunBook&, const RunFiles<3>&, Progress::Style);
+
+}  // namespace plumb

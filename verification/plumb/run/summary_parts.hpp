@@ -1,0 +1,59 @@
+#pragma once
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "plumb/run/summary.hpp"
+#include "plumbline/diagnostics/measures.hpp"
+
+/// What the summary for programs and the one for people share.
+namespace plumb {
+
+/// Where the energy of the last state is, and where it came from [J] (per metre of thickness in 2D):
+/// total = kinetic + strain + all terms.
+struct EnergyBudget {
+  double kinetic, strain, total, initial;
+  std::map<std::string, double> terms;  ///< of the optional terms that have one, by name ("hourglass")
+  double support_work;                  ///< of supports that move
+  /// (total - initial - support work) / (initial + |support work|): none for a body at rest, whose energy
+  /// is round-off.
+  std::optional<double> net_change;
+};
+template <int d>
+EnergyBudget energy_budget(const FinishedRun<d>& run);
+
+/// Distances from the initial momenta relative to the first scale that is not zero, the initial one or that
+/// of the last state; 0 where there is no motion at all.
+struct Drifts {
+  double linear, angular;
+};
+template <int d>
+Drifts drifts_of(const FinishedRun<d>& run);
+
+/// "completed", "unstable" or "interrupted".
+const char* status_of(const RunResult& result);
+
+/// Whether nothing acts on the body from outside, so that its momenta are conserved.
+inline bool is_free(const Scene& scene) {
+  return scene.boundaries.empty() && !scene.load && !scene.method.damping;
+}
+
+/// Whether loads, damping or supports that change their velocity do work, which the summary does not account for
+/// ([output] budget does).
+template <int d>
+bool has_other_work(const Simulation<d>& simulation) {
+  const auto& terms = simulation.solid.terms;
+  return simulation.actions.has_loads() ||
+         std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.name == "damping"; }) ||
+         std::any_of(simulation.actions.held.begin(), simulation.actions.held.end(),
+                     [](const auto& held) { return !held.steady; });
+}
+
+template <int d>
+bool moves_supports(const Simulation<d>& simulation) {
+  return std::any_of(simulation.supports.begin(), simulation.supports.end(),
+                     [](const auto& support) { return support.velocity != 0; });
+}
+
+}  // namespace plumb

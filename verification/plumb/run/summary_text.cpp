@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include "plumb/run/inventory.hpp"
+#include "plumb/run/likely_cause.hpp"
+#include "plumb/run/summary.hpp"
+#include "plumb/run/summary_parts.hpp"
+#include "plumbline/output/progress.hpp"
+#include "plumbline/output/terminal.hpp"
+
+namespace plumb {
+namespace {
+
+std::string place_text(const double* values, std::size_t count) {
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) text += fmt::format("{}{:.6g}", k ? ", " : "", values[k]);
+  return "(" + text + ")";
+}
+
+std::string failure_text(const Failure& failure) {
+  std::string text =
+      fmt::format("  {}: {} = {:.6g}", name_of(failure.cause), failure.quantity, failure.value);
+  if (failure.particle >= 0) text += fmt::format(" at particle {}", failure.particle);
+  return text + fmt::format(", step {}, t = {:.9g} s\n", failure.step, failure.time);
+}
+
+/// "energy 3 J = kinetic 1 + strain 2", and how it came about.
+template <int d>
+std::string energy_text(const FinishedRun<d>& run) {
+  const char* unit = d == 2 ? "J/m" : "J";
+  const EnergyBudget energy = energy_budget(run);
+  std::string text = fmt::format("  energy {:.9g} {} = kinetic {:.9g} + strain {:.9g}", energy.total, unit,
+                                 energy.kinetic, energy.strain);
+  for (const auto& [name, value] : energy.terms) text += fmt::format(" + {} {:.9g}", name, value);
+  text += fmt::format("\n  at the start {:.9g} {}", energy.initial, unit);
+  const bool moved = moves_supports(run.simulation);
+  if (moved) text += fmt::format(", work of moving supports {:.9g} {}", energy.support_work, unit);
+  if (energy.net_change)
+    text +=
+        fmt::format(": a change of {:+.3g} %{}", 100 * *energy.net_change, moved ? " net of that work" : "");
+  return text + "\n";
+}
+
+template <int d>
+std::string probe_text(const FinishedRun<d>& run, const BoundProbe& probe) {
+  const Index slot = run.simulation.solid.bonds.slots.of(probe.particle);
+  const Vec<d>& X = run.simulation.solid.cloud.X[probe.particle];
+  const Vec<d> u = vector_at<d>(run.simulation.state.u, slot), v = vector_at<d>(run.simulation.state.v, slot);
+  std::string text =
+      fmt::format("  probe \"{}\": particle {} at {} m", probe.name, probe.particle, place_text(X.data(), d));
+  if (probe.distance > 1e-9 * run.simulation.solid.cloud.spacing)
+    text += fmt::format(", {:.3g} m from {}", probe.distance, place_text(probe.at.data(), d));
+  return text + fmt::format(": displacement {} m, velocity {} m/s\n", place_text(u.data(), d),
+                            place_text(v.data(), d));
+}
+
+}  // namespace
+
+template <int d>
+std::string summary_text(const FinishedRun<d>& run) {
+  const Extent<d> extent = extent_of(run.simulation.solid, run.simulation.state);
+  const Timing& timing = run.book.timing;
+  std::string text =
+      fmt::format("{}: {} at {:.6g} s, {} steps, {} particles\n  computing {}, writing {}, set-up {}\n",
+                  run.scene.name, status_of(run.result), run.simulation.state.time, run.simulation.state.step,
+                  run.simulation.solid.cloud.size(), duration_text(timing.computing()),
+                  duration_text(timing.writing), duration_text(timing.setup));
+  if (run.result.failure) {
+    text += failure_text(*run.result.failure);
+    const std::string cause = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
+    if (!cause.empty())
+      text += "  " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 2, 2) + "\n";
+  }
+  text += energy_text(run);
+  if (is_free(run.scene)) {
+    const Drifts drift = drifts_of(run);
+    text += fmt::format(
+        "  drift of linear momentum {:.3g}, of angular momentum {:.3g}, relative to the initial scale\n",
+        drift.linear, drift.angular);
+  }
+  for (int k = 0; k < d; ++k)
+    text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
+  for (const auto& probe : run.probes) text += probe_text(run, probe);
+  if (run.simulation.compatible) text += "  " + compatible_text(run.simulation.compatible.get());
+  return text;
+}
+
+template std::string summary_text<2>(const FinishedRun<2>&);
+template std::string summary_text<3>(const FinishedRun<3>&);
+
+}  // namespace plumb
