@@ -11,6 +11,7 @@
 #include "plumb/claims/measure.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "plumbline/core/error.hpp"
 #include "reports/run/store.hpp"
 
@@ -103,7 +104,8 @@ int check_claims(const Session& session, const ClaimsOptions& options,
   for (const auto& change : checked.changes) std::cerr << "plumb: " << change << '\n';
   session.text() << fmt::format("{} numbers measured again, {} changes\n", checked.readings.size(),
                                 checked.changes.size());
-  return checked.changes.empty() ? 0 : 1;
+  result["status"] = checked.changes.empty() ? "pass" : "fail";
+  return exit_code_of(result["status"].get<std::string>());
 }
 
 int run_claims(const Session& session, const ClaimsOptions& options) {
