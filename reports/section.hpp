@@ -10,8 +10,8 @@
 /// What a report says, as values: sections with a question, an answer, pictures, tables and checks.
 namespace plumb::reports {
 
-/// One thing that was checked, with what was found. `verdict` is a name of plumb::Verdict ("pass", "fail",
-/// "not-asymptotic", "noise-floor", "inconclusive") or "not-computed".
+/// One thing that was checked, with what was found. `verdict` is a name of plumb::Verdict ("pass", "above",
+/// "not-asymptotic") or "not-computed".
 struct Check {
   std::string what;
   std::string expected;

@@ -1,5 +1,6 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "reports/section.hpp"
@@ -14,6 +15,14 @@ Check study_check(std::string what, const nlohmann::ordered_json& result, const 
 /// What a study found in one norm. Throws MissingResult if it did not measure it.
 const nlohmann::ordered_json& fit_of(const nlohmann::ordered_json& result, const std::string& norm);
 
+/// Whether the study declares an order in that norm.
+bool declares(const nlohmann::ordered_json& result, const std::string& norm);
+
+/// A claim that a scheme does not have an order: a check only where the measured interval excludes the order
+/// from below (plumb::excludes), and then it passes. A verdict other than "pass" alone excludes nothing.
+std::optional<Check> exclusion_check(std::string what, const nlohmann::ordered_json& result,
+                                     const std::string& norm, double order);
+
 /// One refinement study of a section: a file of verification/studies with overrides.
 struct Refinement {
   std::string id, name, file;
@@ -23,7 +32,7 @@ struct Refinement {
 /// The call of `plumb mms` (or another subcommand that takes a study) for it.
 Job refinement_job(const Refinement& entry, const std::string& command = "mms");
 
-/// L2 errors of all of them over the spacing, levels that broke left out.
+/// Relative L2 errors of all of them over the spacing, levels that broke left out.
 Figure levels_figure(const Results& results, const std::string& id, const std::string& title,
                      const std::vector<Refinement>& entries, const std::string& caption);
 
