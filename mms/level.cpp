@@ -45,6 +45,11 @@ std::vector<Wall> walls_of(const Study& study, const Manufactured<d>& solution) 
   return study.body.layout == Layout::mirror ? mirror_walls(solution) : std::vector<Wall>{};
 }
 
+/// Whether an annulus is filled with rings of particles; else it clips a lattice or a random cloud.
+bool has_rings(const Study& study) {
+  return study.body.layout == Layout::node && study.body.cloud == "lattice" && !(study.body.jitter > 0);
+}
+
 /// The scene of one level, without initial state and with no boundaries but mirrors: the rest comes from the
 /// solution.
 Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacing, double end) {
@@ -64,6 +69,8 @@ Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacin
   return scene;
 }
 
+}  // namespace
+
 Sitting::Json json_of(const ErrorNorms& norms) {
   Sitting::Json part;
   for (const NormName& norm : norm_names) part[std::string(norm.name)] = norms.*norm.value;
@@ -75,8 +82,6 @@ ErrorNorms norms_of(const Sitting::Json& part) {
   for (const NormName& norm : norm_names) norms.*norm.value = number_or_nan(part[std::string(norm.name)]);
   return norms;
 }
-
-}  // namespace
 
 Sitting::Json json_of(const StudyLevel& level) {
   return {{"n", level.n},
@@ -143,21 +148,29 @@ ExactField<d> exact_field(const Manufactured<d>& solution, double time) {
 }
 
 template <int d>
+Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const Cloud<d>& cloud) {
+  if constexpr (d == 2) {
+    const Domain<d>& domain = solution.domain;
+    if (domain.shape == Domain<d>::Shape::annulus)
+      return has_rings(study) ? polar_surface(cloud, domain.inner, domain.outer)
+                              : clipped_surface<2>(cloud, annulus_shape(domain.inner, domain.outer));
+  }
+  return box_surface<d>(cloud);
+}
+
+template <int d>
 Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
   const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
     if (domain.shape == Domain<d>::Shape::annulus) {
-      if (study.body.layout != Layout::node || study.body.cloud != "lattice" || study.body.jitter > 0) {
-        const Shape<2> shape = annulus_shape(domain.inner, domain.outer);
-        Cloud<2> cloud = shaped_cloud<2>(shape, {spacing, study.body.layout, study.body.cloud == "blue-noise",
-                                                 study.body.jitter, study.body.seed});
-        const Surface<2> surface = clipped_surface<2>(cloud, shape);
-        return make_simulation<d>(scene, std::move(cloud), std::optional(surface));
-      }
-      Cloud<2> polar = polar_cloud(domain.inner, domain.outer, spacing);
-      const Surface<2> surface = polar_surface(polar, domain.inner, domain.outer);
-      return make_simulation<d>(scene, std::move(polar), std::optional(surface));
+      Cloud<2> cloud = has_rings(study)
+                           ? polar_cloud(domain.inner, domain.outer, spacing)
+                           : shaped_cloud<2>(annulus_shape(domain.inner, domain.outer),
+                                             {spacing, study.body.layout, study.body.cloud == "blue-noise",
+                                              study.body.jitter, study.body.seed});
+      const Surface<2> surface = surface_of<2>(study, solution, cloud);
+      return make_simulation<d>(scene, std::move(cloud), std::optional(surface));
     }
   }
   return make_simulation<d>(scene);
@@ -222,6 +235,7 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
 #define PLUMBLINE_INSTANTIATE(d)                                                                       \
   template Manufactured<d> solution_of<d>(const Study&);                                               \
   template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                               \
+  template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);              \
   template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);               \
   template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
   template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&);     \

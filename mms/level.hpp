@@ -43,6 +43,10 @@ struct DrivenBody {
   Stepper<d> stepper;
 };
 
+/// Norms as a part of a sitting, and back.
+Sitting::Json json_of(const ErrorNorms& norms);
+ErrorNorms norms_of(const Sitting::Json& part);
+
 /// A level as a part of a sitting, and back.
 Sitting::Json json_of(const StudyLevel& level);
 StudyLevel level_of(const Sitting::Json& part);
@@ -61,6 +65,10 @@ Manufactured<d> solution_of(const Study& study);
 /// The exact displacement, gradient, velocity and stress at one time [s].
 template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time);
+
+/// The surface of the study's body around its particles.
+template <int d>
+Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const Cloud<d>& cloud);
 
 /// The study's body with this spacing [m], at rest and without loads. Boxes are built as in any scene; annuli
 /// as rings (layout node), as a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "mms/level.hpp"
+#include "plumbline/compatible/boundary_vectors.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/gradient/each_bond.hpp"
 #include "plumbline/solid/evaluate.hpp"
@@ -62,9 +64,20 @@ Simulation<d> body_of(Study study, const Manufactured<d>& solution, double spaci
   return simulation_of<d>(study, solution, spacing);
 }
 
+/// Outward boundary area over volume, B_i/V_i [1/m]: a stress P leaves the force -P B_i/V_i of the surface.
+template <int d>
+std::vector<Vec<d>> areas_per_volume(const Study& study, const Manufactured<d>& solution,
+                                     const Solid<d>& solid) {
+  auto areas = boundary_vectors<d>(solid.cloud, kernel_named<d>(study.method.kernel), solid.smoothing_length,
+                                   surface_of<d>(study, solution, solid.cloud))
+                   .B;
+  for (Index i = 0; i < solid.cloud.size(); ++i) areas[static_cast<std::size_t>(i)] /= solid.cloud.V[i];
+  return areas;
+}
+
 template <int d>
 void measure_errors(Solid<d>& solid, State<d>& state, const Manufactured<d>& solution, double time,
-                    double reach, OperatorLevel& level) {
+                    double reach, const std::vector<Vec<d>>& area, OperatorLevel& level) {
   for (Index i = 0; i < solid.cloud.size(); ++i)
     set_vector<d>(state.u, solid.bonds.slots.of(i), solution.displacement(solid.cloud.X[i], time));
   const auto force = forces<d>(solid, state);
@@ -87,7 +100,8 @@ void measure_errors(Solid<d>& solid, State<d>& state, const Manufactured<d>& sol
     const double w = part == boundary ? V : V * std::pow(depth / solution.domain.length() - rim, 2);
     volume[part] += w;
     error[gradient][part] += w * (deformation_gradient_of(solid, state, i) - motion.F).squaredNorm();
-    error[divergence][part] += w * (force[static_cast<std::size_t>(i)] - div).squaredNorm();
+    const Vec<d> traction = -solution.first_piola(motion.F) * area[static_cast<std::size_t>(i)];
+    error[divergence][part] += w * (force[static_cast<std::size_t>(i)] - div - traction).squaredNorm();
     error[laplacian][part] += w * (laplacian_at<d>(solid, state, i) - lap).squaredNorm();
   }
   for (int k = 0; k < 3; ++k)
@@ -128,7 +142,8 @@ OperatorLevel level_of(const Study& study, const Manufactured<d>& solution, doub
   OperatorLevel level;
   level.n = solid.cloud.size();
   level.d = spacing;
-  measure_errors<d>(solid, simulation.state, solution, end_time(study), 2 * support, level);
+  measure_errors<d>(solid, simulation.state, solution, end_time(study), 2 * support,
+                    areas_per_volume<d>(study, solution, solid), level);
   level.constraint = constraint_defect<d>(solid, simulation.state, solution.domain);
   return level;
 }
@@ -161,6 +176,9 @@ OperatorResult run_in(const Study& study, const StudyProgress& progress) {
                                    [=](const OperatorLevel& level) { return level.error[k][part]; }));
   result.fits.push_back(fit_of("constraint", part_names[inside], result.levels,
                                [](const OperatorLevel& level) { return level.constraint; }));
+  std::vector<Judged> judged;
+  for (const OperatorFit& fit : result.fits) judged.push_back({fit.verdict, false});
+  result.status = plumb::status_of(judged);
   return result;
 }
 

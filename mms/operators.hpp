@@ -17,8 +17,9 @@ struct OperatorLevel {
   double d = 0;  ///< spacing [m]
   /// error[operator][part]: L2 over the particles of the part (inside with the square of the distance from
   /// its rim as weight), relative to the root mean square of the exact quantity over the body. F: deformation
-  /// gradient, relative to F - I; Div P: force per volume without loads; Laplacian: of the displacement with
-  /// the weights of (6.3).
+  /// gradient, relative to F - I; Div P: force per volume without loads, against Div P - P B/V: by THEORY
+  /// (11.4) the force on a particle with the outward boundary area B holds the traction -P B. Laplacian: of
+  /// the displacement with the weights of (6.3).
   std::array<std::array<double, 2>, 3> error{};
   /// Integration constraint: root mean square inside of |force| d / |stress| under the uniform stress I. Zero
   /// if a uniform stress leaves no force; of order p it limits Div P to order p - 1.
@@ -34,6 +35,7 @@ struct OperatorFit {
 struct OperatorResult {
   std::vector<OperatorLevel> levels;
   std::vector<OperatorFit> fits;
+  std::string status;  ///< of plumb::status_of(): nothing is declared
 };
 
 /// Applies the study's scheme to the exact displacements of its end time, on every spacing. Throws InputError

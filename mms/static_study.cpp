@@ -86,11 +86,8 @@ void measure_equilibrium(const Solid<d>& solid, const Linearised& body, const Ex
     return {m.displacement, m.F - Mat<d>::Identity(), Vec<d>::Zero(), solution.first_piola(m.F)};
   };
   const NodalValues<d> values = nodal_values<d>(solid, state, solution.first_piola);
-  const ErrorNorms error = nodal_norms<d>(cloud, values, field);
-  const ErrorNorms size = nodal_size<d>(cloud, field);
-  level.l2 = error.l2 / size.l2;
-  level.h1 = error.h1 / size.h1;
-  level.stress_l2 = error.stress_l2 / size.stress_l2;
+  level.error = nodal_norms<d>(cloud, values, field);
+  level.exact = nodal_size<d>(cloud, field);
 }
 
 /// Components that the solution's faces hold still.
@@ -147,9 +144,8 @@ Sitting::Json json_of(const StaticLevel& level) {
   return {
       {"n", level.n},
       {"d", level.d},
-      {"l2", level.l2},
-      {"h1", level.h1},
-      {"stress_l2", level.stress_l2},
+      {"error", json_of(level.error)},
+      {"exact", json_of(level.exact)},
       {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()},
       {"frequency_error", level.frequency_error ? Sitting::Json(*level.frequency_error) : Sitting::Json()},
       {"setup_s", level.setup_s},
@@ -160,9 +156,8 @@ StaticLevel static_level_of(const Sitting::Json& part) {
   StaticLevel level;
   level.n = part["n"];
   level.d = part["d"];
-  level.l2 = number_or_nan(part["l2"]);
-  level.h1 = number_or_nan(part["h1"]);
-  level.stress_l2 = number_or_nan(part["stress_l2"]);
+  level.error = norms_of(part["error"]);
+  level.exact = norms_of(part["exact"]);
   if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
   if (!part["frequency_error"].is_null()) level.frequency_error = part["frequency_error"].get<double>();
   level.setup_s = part["setup_s"];
@@ -170,16 +165,35 @@ StaticLevel static_level_of(const Sitting::Json& part) {
   return level;
 }
 
-StudyFit fit_of(const std::string& norm, const std::vector<Level>& errors, std::optional<double> declared,
-                double floor) {
+/// The order in one norm that the study declares.
+std::optional<double> declared_order(const Study& study, std::string_view norm) {
+  if (!study.expect) return std::nullopt;
+  if (norm == "l2") return study.expect->l2;
+  if (norm == "h1") return study.expect->h1;
+  return norm == "stress_l2" ? study.expect->stress_l2 : std::nullopt;
+}
+
+StudyFit fit_of(std::string_view norm, const std::vector<Level>& errors, std::optional<double> declared) {
   StudyFit out;
   out.norm = norm;
   out.declared = declared;
-  FitOptions options;
-  options.modelling_floor = out.modelling_floor = floor;
-  out.fit = fit_order(errors, options);
-  out.verdict = declared ? name_of(judge(out.fit, *declared)) : name_of(classify(out.fit));
+  out.fit = fit_order(errors);
+  out.verdict = verdict_of(out.fit, declared);
   return out;
+}
+
+std::vector<StudyFit> fits_of(const Study& study, const std::vector<StaticLevel>& levels) {
+  std::vector<StudyFit> fits;
+  for (const NormName& norm : static_norms()) {
+    std::vector<Level> errors;
+    for (const StaticLevel& level : levels) errors.push_back({level.d, level.relative(norm.value)});
+    fits.push_back(fit_of(norm.name, errors, declared_order(study, norm.name)));
+  }
+  std::vector<Level> frequency;
+  for (const StaticLevel& level : levels)
+    if (level.frequency_error) frequency.push_back({level.d, *level.frequency_error});
+  if (frequency.size() == levels.size()) fits.push_back(fit_of("frequency", frequency, std::nullopt));
+  return fits;
 }
 
 template <int d>
@@ -190,28 +204,27 @@ StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& 
     throw InputError("a static study needs a box with particles on its surface",
                      "displacements are prescribed there", "Use layout = \"node\" and a solution on a box.");
   StaticResult result;
-  std::vector<Level> l2, h1, stress, frequency;
   for (const double spacing : study.spacings) {
     const StaticLevel level = static_level_of(sitting.part(
         fmt::format("level {}", spacing), [&] { return json_of(run_level<d>(study, solution, spacing)); }));
-    l2.push_back({spacing, level.l2});
-    h1.push_back({spacing, level.h1});
-    stress.push_back({spacing, level.stress_l2});
-    if (level.frequency_error) frequency.push_back({spacing, *level.frequency_error});
     result.levels.push_back(level);
     if (progress)
       progress(static_cast<double>(result.levels.size()) / static_cast<double>(study.spacings.size()),
                fmt::format("d = {:g} m", spacing));
   }
-  const auto declared = [&](auto member) { return study.expect ? (*study.expect).*member : std::nullopt; };
-  result.fits = {fit_of("l2", l2, declared(&Expect::l2), 0), fit_of("h1", h1, declared(&Expect::h1), 0),
-                 fit_of("stress_l2", stress, declared(&Expect::stress_l2), 0)};
-  if (frequency.size() == l2.size()) result.fits.push_back(fit_of("frequency", frequency, std::nullopt, 0));
+  result.fits = fits_of(study, result.levels);
   result.status = status_of(result.fits);
   return result;
 }
 
 }  // namespace
+
+std::vector<NormName> static_norms() {
+  std::vector<NormName> norms;
+  for (const NormName& norm : norm_names)
+    if (norm.value != &ErrorNorms::velocity_l2) norms.push_back(norm);
+  return norms;
+}
 
 StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   if (study.dimension() == 2) return run_in<2>(study, progress, sitting);

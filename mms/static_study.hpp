@@ -9,11 +9,12 @@
 
 namespace plumb::mms {
 
-/// One level of a static study. Norms are relative to those of the exact field.
+/// One level of a static study.
 struct StaticLevel {
-  Index n = 0;   ///< particles
-  double d = 0;  ///< spacing [m]
-  double l2 = 0, h1 = 0, stress_l2 = 0;
+  Index n = 0;       ///< particles
+  double d = 0;      ///< spacing [m]
+  ErrorNorms error;  ///< nodal norms of the error, absolute; no velocity
+  ErrorNorms exact;  ///< the same norms of the exact field
   /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
   /// body force, so that it is a vibration.
   std::optional<double> frequency_error;
@@ -21,12 +22,19 @@ struct StaticLevel {
   std::optional<std::string> failure;  ///< why there is no frequency where there should be one
   double setup_s = 0;                  ///< CPU time of the bond table [s]
   double solve_s = 0;                  ///< CPU time of assembly and solution [s]
+
+  /// Error over size in one norm.
+  double relative(double ErrorNorms::*norm) const { return error.*norm / (exact.*norm); }
 };
+
+/// The norms of a static study: those of norm_names but the velocity's.
+std::vector<NormName> static_norms();
 
 struct StaticResult {
   std::vector<StaticLevel> levels;
-  std::vector<StudyFit> fits;  ///< of l2, h1, stress_l2 and, if there is one, of the frequency
-  std::string status;          ///< as in StudyResult
+  std::vector<StudyFit>
+      fits;            ///< of the relative errors in static_norms() and, if there is one, of the frequency
+  std::string status;  ///< as in StudyResult
 };
 
 /// The displacement of the solution at the study's end time as an equilibrium: exact displacements on the

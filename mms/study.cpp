@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mms/level.hpp"
+#include "plumbline/convergence/outcome.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -35,7 +36,7 @@ StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector
   const bool gauss = norm.ends_with(gauss_suffix);
   if (gauss ? wants_gauss(study) : wants_nodal(study))
     out.declared = declared_order(study, norm.substr(0, norm.size() - (gauss ? gauss_suffix.size() : 0)));
-  out.verdict = out.declared ? name_of(judge(out.fit, *out.declared)) : name_of(classify(out.fit));
+  out.verdict = verdict_of(out.fit, out.declared);
   return out;
 }
 
@@ -111,15 +112,15 @@ StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& s
 
 }  // namespace
 
+std::string verdict_of(const OrderFit& fit, std::optional<double> declared) {
+  return std::string(declared ? name_of(judge(fit, *declared)) : name_of(classify(fit)));
+}
+
 std::string status_of(const std::vector<StudyFit>& fits) {
-  bool all_pass = true, any = false;
-  for (const StudyFit& fit : fits) {
-    if (!fit.declared) continue;
-    any = true;
-    if (fit.verdict == name_of(Verdict::fail)) return "fail";
-    all_pass = all_pass && fit.verdict == name_of(Verdict::pass);
-  }
-  return any && all_pass ? "pass" : "inconclusive";
+  std::vector<Judged> judged;
+  judged.reserve(fits.size());
+  for (const StudyFit& fit : fits) judged.push_back({fit.verdict, fit.declared.has_value()});
+  return std::string(plumb::status_of(judged));
 }
 
 std::vector<std::string> norms_of(const Study& study) {

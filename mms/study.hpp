@@ -21,7 +21,7 @@ struct StudyFit {
 struct StudyResult {
   std::vector<StudyLevel> levels;
   std::vector<StudyFit> fits;
-  std::string status;  ///< pass: every declared order passes; fail: one fails; inconclusive: anything else
+  std::string status;  ///< of plumb::status_of() from all fits
   std::vector<std::string> notes;
 };
 
@@ -42,12 +42,14 @@ inline StudyResult run_study(const Study& study, const StudyProgress& progress =
 /// Work of a level relative to that of another level or method: particles times evaluations.
 double work_of(const Study& study, double spacing);
 
+/// Judges a fit: the verdict against a declared order, the trend where none is declared.
+std::string verdict_of(const OrderFit& fit, std::optional<double> declared);
+
 /// Status of a study from its fits, as in StudyResult.
 std::string status_of(const std::vector<StudyFit>& fits);
 
 /// Names of the norms that a study measures: l2, h1, linf, velocity_l2, stress_l2 by particles, and the same
-/// with
-/// "_gauss" behind them if it wants Gauss points.
+/// with "_gauss" behind them if it wants Gauss points.
 std::vector<std::string> norms_of(const Study& study);
 
 /// One norm of the error of a level by its name, absolute.

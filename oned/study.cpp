@@ -82,9 +82,8 @@ void fit_all(const std::vector<StudyRow>& rows, const std::vector<double>& floor
       if (const auto error = norm.get(rows[k].norms)) points.push_back({rows[k].dx, *error, floors[k]});
     FitOptions options;
     options.round_off = 0;  // the floor of each level says it
-    const OrderFit fit = points.empty() ? OrderFit{} : fit_order(points, options);
-    fits.push_back({rows[0].field, rows[0].estimator, rows[0].pair, norm.name, fit,
-                    points.empty() ? Trend::not_asymptotic : classify(fit)});
+    const OrderFit fit = fit_order(points, options);
+    fits.push_back({rows[0].field, rows[0].estimator, rows[0].pair, norm.name, fit, classify(fit)});
   }
 }
 

@@ -21,8 +21,9 @@ const nlohmann::ordered_json& entry(const nlohmann::ordered_json& object, const 
 }  // namespace
 
 const std::vector<std::string>& verdict_names() {
-  static const std::vector<std::string> names{"pass",        "fail",         "not-asymptotic",
-                                              "noise-floor", "inconclusive", "not-computed"};
+  static const std::vector<std::string> names{"pass",           "fail",        "above",
+                                              "not-asymptotic", "noise-floor", "too-few-levels",
+                                              "inconclusive",   "not-computed"};
   return names;
 }
 

@@ -23,8 +23,8 @@ const char* name_of(CheckKind kind);
 /// The kinds in the order of the first screen.
 const std::vector<CheckKind>& check_kinds();
 
-/// One thing that was checked, with what was found. `verdict` is a name of plumb::Verdict ("pass", "fail",
-/// "not-asymptotic", "noise-floor", "inconclusive") or "not-computed".
+/// One thing that was checked, with what was found. `verdict` is a name of plumb::Verdict ("pass", "above",
+/// "not-asymptotic") or "not-computed".
 struct Check {
   std::string what;
   std::string expected;

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "plumbline/convergence/verdict.hpp"
 #include "reports/named.hpp"
+#include "reports/results.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -28,9 +30,15 @@ Entry end_of(const Json& fit, std::size_t which) {
              : Entry();
 }
 
-std::string short_number(const Entry& entry) {
-  const auto* value = std::get_if<double>(&entry);
-  return value ? fmt::format("{:.2f}", *value) : "?";
+/// "1.87, 95 % interval [1.60, 2.13]", and without an interval where there is none.
+std::string order_text(const Json& fit) {
+  const Entry order = cell(fit, "order"), low = end_of(fit, 0), high = end_of(fit, 1);
+  if (!std::holds_alternative<double>(order)) return "no order can be fitted";
+  std::string text = fmt::format("{:.2f}", std::get<double>(order));
+  if (!std::holds_alternative<double>(low) || !std::holds_alternative<double>(high))
+    return text + ", no interval (fewer than three levels)";
+  return text +
+         fmt::format(", 95 % interval [{:.2f}, {:.2f}]", std::get<double>(low), std::get<double>(high));
 }
 
 /// "l2" as L₂, for people.
@@ -59,11 +67,7 @@ Check study_check(std::string what, const Json& result, const std::string& norm)
   const Json& fit = fit_of(result, norm);
   const Entry declared = cell(fit, "declared");
   Check check{std::move(what), "no order declared", {}, text(fit, "verdict")};
-  const bool fitted = std::holds_alternative<double>(cell(fit, "order"));
-  check.measured =
-      !fitted ? "no order can be fitted" + failures(result)
-              : fmt::format("{}, 95 % interval [{}, {}]{}", short_number(cell(fit, "order")),
-                            short_number(end_of(fit, 0)), short_number(end_of(fit, 1)), failures(result));
+  check.measured = order_text(fit) + failures(result);
   if (const auto* order = std::get_if<double>(&declared)) check.expected = fmt::format("order {:g}", *order);
   const auto& known = verdict_names();
   if (std::find(known.begin(), known.end(), check.verdict) == known.end()) {
@@ -71,6 +75,23 @@ Check study_check(std::string what, const Json& result, const std::string& norm)
     check.verdict = "inconclusive";
   }
   return check;
+}
+
+bool declares(const Json& result, const std::string& norm) {
+  return std::holds_alternative<double>(cell(fit_of(result, norm), "declared"));
+}
+
+std::optional<Check> exclusion_check(std::string what, const Json& result, const std::string& norm,
+                                     double order) {
+  const Json& found = fit_of(result, norm);
+  OrderFit fit;
+  if (const Entry upper = end_of(found, 1); std::holds_alternative<double>(upper))
+    fit.upper = std::get<double>(upper);
+  fit.levels.resize(found.at("levels").get<std::size_t>());
+  fit.not_finite = failures(result).empty() ? 0 : 1;
+  if (!excludes(fit, order)) return std::nullopt;
+  return Check{std::move(what), fmt::format("an interval below order {:g}", order),
+               order_text(found) + fmt::format(": order {:g} is contradicted", order), "pass"};
 }
 
 Job refinement_job(const Refinement& entry, const std::string& command) {
@@ -135,14 +156,14 @@ DataTable levels_table(std::string id, std::string title, std::vector<std::strin
            {"d", "m", 3},
            {"particles", "", 0},
            {"steps", "", 0},
-           {"l2", "m", 4},
-           {"h1", "", 4},
-           {"linf", "m", 4},
-           {"l2_gauss", "m", 4},
-           {"h1_gauss", "", 4},
            {"relative l2", "", 4},
+           {"relative h1", "", 4},
+           {"relative linf", "", 4},
+           {"relative l2_gauss", "", 4},
+           {"relative h1_gauss", "", 4},
            {"relative velocity l2", "", 4},
            {"relative stress l2", "", 4},
+           {"l2", "m^(1+d/2)", 4},
            {"CPU time", "s", 3},
            {"pair evaluations", "", 4}},
           {},
@@ -152,8 +173,9 @@ DataTable levels_table(std::string id, std::string title, std::vector<std::strin
 void add_levels(DataTable& table, const std::string& name, const std::string& job, const Json& result) {
   for (const auto& level : result.at("levels")) {
     std::vector<Entry> row{name};
-    for (const char* key : {"d", "n", "steps", "l2", "h1", "linf", "l2_gauss", "h1_gauss", "relative_l2",
-                            "relative_velocity_l2", "relative_stress_l2", "cpu_s", "pair_evaluations"})
+    for (const char* key : {"d", "n", "steps", "relative_l2", "relative_h1", "relative_linf",
+                            "relative_l2_gauss", "relative_h1_gauss", "relative_velocity_l2",
+                            "relative_stress_l2", "l2", "cpu_s", "pair_evaluations"})
       row.push_back(cell(level, key));
     table.rows.push_back(std::move(row));
     table.row_jobs.push_back(job);

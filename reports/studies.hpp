@@ -1,5 +1,6 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "reports/section.hpp"
@@ -13,6 +14,14 @@ Check study_check(std::string what, const nlohmann::ordered_json& result, const 
 
 /// What a study found in one norm. Throws MissingResult if it did not measure it.
 const nlohmann::ordered_json& fit_of(const nlohmann::ordered_json& result, const std::string& norm);
+
+/// Whether the study declares an order in that norm.
+bool declares(const nlohmann::ordered_json& result, const std::string& norm);
+
+/// A claim that a scheme does not have an order: a check only where the measured interval excludes the order
+/// from below (plumb::excludes), and then it passes. A verdict other than "pass" alone excludes nothing.
+std::optional<Check> exclusion_check(std::string what, const nlohmann::ordered_json& result,
+                                     const std::string& norm, double order);
 
 /// One refinement study of a section: a file of verification/studies with overrides.
 struct Refinement {

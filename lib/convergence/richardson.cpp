@@ -10,21 +10,6 @@
 namespace plumb {
 namespace {
 
-std::vector<Sample> fine_to_coarse(std::span<const Sample> samples) {
-  std::vector<Sample> out(samples.begin(), samples.end());
-  for (const Sample& sample : out)
-    if (!(sample.spacing > 0) || !std::isfinite(sample.spacing) || !std::isfinite(sample.value))
-      throw InputError("a grid has spacing " + std::to_string(sample.spacing) + " and value " +
-                           std::to_string(sample.value),
-                       "extrapolation needs finite values on positive spacings", "Leave broken runs out.");
-  std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) { return a.spacing < b.spacing; });
-  for (std::size_t k = 1; k < out.size(); ++k)
-    if (out[k].spacing < 1.05 * out[k - 1].spacing)
-      throw InputError("two grids have nearly the same spacing " + std::to_string(out[k].spacing),
-                       "their difference is noise", "Refine by a factor of at least 1.05, better 1.3.");
-  return out;
-}
-
 struct ObservedOrder {
   Extrapolation::Behaviour behaviour;
   double order;
@@ -54,9 +39,51 @@ ObservedOrder observed_order(const Sample& fine, const Sample& medium, const Sam
   return {Behaviour::monotone, (bracket.first + bracket.second) / 2};
 }
 
+/// r^p - 1 for the step from the coarse to the fine grid.
+double gain(const Sample& fine, const Sample& coarse, double order) {
+  return std::expm1(order * std::log(coarse.spacing / fine.spacing));
+}
+
+GridIndex index_of(const Sample& fine, const Sample& coarse, double order, double safety) {
+  GridIndex index;
+  index.absolute = safety * std::abs(coarse.value - fine.value) / gain(fine, coarse, order);
+  if (fine.value != 0) index.relative = index.absolute / std::abs(fine.value);
+  return index;
+}
+
+/// Order of the three grids from number k on, or the one given where they have none.
+double order_from(const std::vector<Sample>& grid, std::size_t k, double otherwise) {
+  if (k + 2 >= grid.size()) return otherwise;
+  const ObservedOrder observed = observed_order(grid[k], grid[k + 1], grid[k + 2]);
+  return observed.behaviour == Extrapolation::Behaviour::monotone ? observed.order : otherwise;
+}
+
+/// Index of the second pair, formed with `coarse_order`, over r^p times that of the first.
+double ratio_of(const std::vector<Sample>& grid, double order, double coarse_order) {
+  const double near = std::abs(grid[1].value - grid[0].value) / gain(grid[0], grid[1], order),
+               far = std::abs(grid[2].value - grid[1].value) / gain(grid[1], grid[2], coarse_order);
+  return far / ((gain(grid[0], grid[1], order) + 1) * near);
+}
+
 }  // namespace
 
-Extrapolation richardson(std::span<const Sample> samples, double safety) {
+std::vector<Sample> fine_to_coarse(std::span<const Sample> samples) {
+  std::vector<Sample> out(samples.begin(), samples.end());
+  for (const Sample& sample : out)
+    if (!(sample.spacing > 0) || !std::isfinite(sample.spacing) || !std::isfinite(sample.value))
+      throw InputError("a grid has spacing " + std::to_string(sample.spacing) + " and value " +
+                           std::to_string(sample.value),
+                       "extrapolation needs finite values on positive spacings", "Leave broken runs out.");
+  std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) { return a.spacing < b.spacing; });
+  for (std::size_t k = 1; k < out.size(); ++k)
+    if (out[k].spacing < 1.05 * out[k - 1].spacing)
+      throw InputError("two grids have nearly the same spacing " + std::to_string(out[k].spacing),
+                       "their difference is noise", "Refine by a factor of at least 1.05, better 1.3.");
+  return out;
+}
+
+Extrapolation richardson(std::span<const Sample> samples, double safety,
+                         std::optional<double> declared_order) {
   if (samples.size() < 3)
     throw InputError(std::to_string(samples.size()) + " grids cannot be extrapolated",
                      "the order is unknown, so three values are needed", "Add finer or coarser grids.");
@@ -66,17 +93,16 @@ Extrapolation richardson(std::span<const Sample> samples, double safety) {
   out.behaviour = observed.behaviour;
   if (out.behaviour != Extrapolation::Behaviour::monotone) return out;
   out.order = observed.order;
-  const double fine_factor = std::expm1(out.order * std::log(grid[1].spacing / grid[0].spacing));
-  out.limit = grid[0].value + (grid[0].value - grid[1].value) / fine_factor;
-  out.gci_fine = safety * std::abs(grid[1].value - grid[0].value) / fine_factor;
-  double coarse_order = out.order;
-  if (grid.size() >= 4) {
-    const ObservedOrder next = observed_order(grid[1], grid[2], grid[3]);
-    if (next.behaviour == Extrapolation::Behaviour::monotone) coarse_order = next.order;
+  out.limit = grid[0].value + (grid[0].value - grid[1].value) / gain(grid[0], grid[1], out.order);
+  double order = out.order;
+  for (std::size_t k = 0; k + 1 < grid.size(); ++k) {
+    order = order_from(grid, k, order);
+    out.gci.push_back(index_of(grid[k], grid[k + 1], order, safety));
   }
-  const double coarse_factor = std::expm1(coarse_order * std::log(grid[2].spacing / grid[1].spacing));
-  out.gci_coarse = safety * std::abs(grid[2].value - grid[1].value) / coarse_factor;
-  out.asymptotic_ratio = out.gci_coarse / ((fine_factor + 1) * out.gci_fine);
+  if (declared_order)
+    out.asymptotic_ratio = ratio_of(grid, *declared_order, *declared_order);
+  else if (const double next = order_from(grid, 1, 0); next > 0)
+    out.asymptotic_ratio = ratio_of(grid, out.order, next);
   return out;
 }
 

@@ -49,8 +49,12 @@ std::string_view name_of(Verdict verdict) {
       return "fail";
     case Verdict::not_asymptotic:
       return "not-asymptotic";
+    case Verdict::above:
+      return "above";
     case Verdict::noise_floor:
       return "noise-floor";
+    case Verdict::too_few_levels:
+      return "too-few-levels";
     case Verdict::inconclusive:
       break;
   }
@@ -67,6 +71,8 @@ std::string_view name_of(Trend trend) {
       return "stalled";
     case Trend::divergent:
       return "divergent";
+    case Trend::too_few_levels:
+      return "too-few-levels";
     case Trend::not_asymptotic:
       break;
   }
@@ -75,7 +81,7 @@ std::string_view name_of(Trend trend) {
 
 Verdict judge(const OrderFit& fit, double declared, const VerdictRules& rules) {
   if (fit.not_finite > 0) return Verdict::fail;
-  if (fit.given < rules.min_levels) return Verdict::inconclusive;
+  if (fit.given < rules.min_levels) return Verdict::too_few_levels;
   if (fit.levels.size() < rules.min_levels) return Verdict::noise_floor;
   if (fit.sign_changes) return Verdict::not_asymptotic;
   if (fit.errors.back() > fit.errors.front()) return Verdict::fail;
@@ -87,20 +93,25 @@ Verdict judge(const OrderFit& fit, double declared, const VerdictRules& rules) {
   if (distance <= rules.resolution && converges(fit, declared, rules)) return Verdict::pass;
   const bool on_its_way =
       missing * fit.drift > 0 && std::abs(fit.drift) > std::min(distance, 2 * rules.resolution);
-  return on_its_way ? Verdict::not_asymptotic : Verdict::fail;
+  if (on_its_way) return Verdict::not_asymptotic;
+  return fit.order > declared ? Verdict::above : Verdict::fail;
 }
 
 Trend classify(const OrderFit& fit, const VerdictRules& rules) {
-  const std::size_t n = fit.levels.size();
   if (fit.not_finite > 0) return Trend::divergent;
-  if (n == 0 || (fit.given >= rules.min_levels && n < rules.min_levels)) return Trend::noise_floor;
-  if (fit.sign_changes || n < 2) return Trend::not_asymptotic;
+  if (fit.given < rules.min_levels) return Trend::too_few_levels;
+  if (fit.levels.size() < rules.min_levels) return Trend::noise_floor;
+  if (fit.sign_changes) return Trend::not_asymptotic;
   const double tail = tail_order(fit);
   if (tail <= -rules.least_order) return Trend::divergent;
   if (tail < rules.least_order) return Trend::stalled;
-  const bool power_law = n >= rules.min_levels && std::abs(fit.drift) <= rules.max_drift &&
-                         fit.half_width() <= rules.max_half_width;
+  const bool power_law = std::abs(fit.drift) <= rules.max_drift && fit.half_width() <= rules.max_half_width;
   return power_law ? Trend::asymptotic : Trend::not_asymptotic;
+}
+
+bool excludes(const OrderFit& fit, double declared, const VerdictRules& rules) {
+  return fit.not_finite == 0 && fit.levels.size() >= rules.min_levels &&
+         fit.upper < declared - rules.resolution;
 }
 
 }  // namespace plumb

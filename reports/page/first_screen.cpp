@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include "plumbline/convergence/norm_units.hpp"
+#include "plumbline/convergence/words.hpp"
 #include "reports/page/parts.hpp"
 #include "reports/plot/svg_text.hpp"
 
@@ -29,6 +31,22 @@ std::string tiles(const Page& page) {
       facts += fmt::format(R"(<a class="tile" href="#{}"><b>{}</b> {}</a>)", escaped(section.id),
                            escaped(fact.number), escaped(fact.what));
   return facts.empty() ? out : out + "<div class=\"tiles\">" + facts + "</div>";
+}
+
+/// Every word about an order or a check, and what the norms are.
+std::string legend() {
+  const auto row = [](std::string_view word, std::string_view meaning) {
+    return fmt::format("<tr><td>{}</td><td data-l=\"meaning\">{}</td></tr>\n", escaped(std::string(word)),
+                       escaped(std::string(meaning)));
+  };
+  std::string rows;
+  for (const VerdictWord& one : verdict_words) rows += row(one.word, one.meaning);
+  return "<details class=\"tb\" id=\"words\"><summary>What the words mean</summary><div "
+         "class=\"scroll\"><table "
+         "class=\"data cards\"><thead><tr><th scope=\"col\">word</th><th "
+         "scope=\"col\">meaning</th></tr></thead>"
+         "<tbody>\n" +
+         rows + row("norms of errors", norms_explained) + "</tbody></table></div></details>\n";
 }
 
 /// Every check that did not pass, so that nobody has to look for it.
@@ -78,7 +96,7 @@ std::string first_screen(const Page& page) {
       tiles(page) + "<dl class=\"facts\">";
   for (const auto& [name, value] : page.facts)
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escaped(name), escaped(value));
-  return out + "</dl></header>\n" + not_passed(page) + contents(page);
+  return out + "</dl></header>\n" + legend() + not_passed(page) + contents(page);
 }
 
 }  // namespace plumb::reports::page

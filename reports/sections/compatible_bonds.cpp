@@ -65,7 +65,7 @@ Figure plate_figure(const Results& results) {
                 {}};
   for (const auto& v : plates()) {
     const Json result = results.json(v.id);
-    p.series.push_back(series_of(result.at("levels"), {}, "d", "l2", v.name));
+    p.series.push_back(series_of(result.at("levels"), {}, "d", "relative_l2", v.name));
     add_interval(p.series.back(), result, "l2");
     figure.jobs.push_back(v.id);
   }
@@ -107,7 +107,8 @@ DataTable cost_table(const Results& results) {
     const Json level = finest_level(results.json(v.id));
     const auto found = level.find("frequency_error");
     table.rows.push_back(
-        {v.name, number(level, "l2"), number(level, "h1"), number(level, "stress_l2"),
+        {v.name, number(level, "relative_l2"), number(level, "relative_h1"),
+         number(level, "relative_stress_l2"),
          found == level.end() ? Entry(std::string("no such vibration found")) : Entry(found->get<double>()),
          number(level, "setup_s"), number(level, "solve_s")});
     table.jobs.push_back(v.id);
@@ -148,7 +149,7 @@ Section write(const Results& results) {
     } else if (v.id != variational) {
       ++others;
       others_passed += study_check("", result, "l2").verdict == "pass" ? 1 : 0;
-      best_other = std::min(best_other, number(finest_level(result), "l2"));
+      best_other = std::min(best_other, number(finest_level(result), "relative_l2"));
     }
   }
   const Json finest = finest_level(results.json("static-compatible"));
@@ -172,7 +173,7 @@ Section write(const Results& results) {
       "{}: compatible bonds have order 2 in {} of {} studies on irregular particles, the schemes without "
       "them in {} of {}; at d = {:g} m the error is {:.2g} times below the best of those.",
       passed == own ? "Yes" : "In part", passed, own, others_passed, others, finest.at("d").get<double>(),
-      best_other / finest.at("l2").get<double>());
+      best_other / finest.at("relative_l2").get<double>());
   s.notes = {
       fmt::format("Between the two: the variationally consistent force (chapter 13) leaves F alone and "
                   "corrects the force weights "

@@ -105,10 +105,12 @@ std::string order_text(const Json& fit) {
 
 Figure figure(const Results& results, const std::string& id, const std::string& title,
               const std::vector<std::string>& jobs) {
-  Figure out{id,
-             {title, {"particle spacing d", "m", Scale::log}, {"relative error", "", Scale::log}},
-             "Inside: a quarter of the body away from its surface; boundary: within two support radii of it.",
-             jobs};
+  Figure out{
+      id,
+      {title, {"particle spacing d", "m", Scale::log}, {"relative error", "", Scale::log}},
+      "Inside: a quarter of the body away from its surface; boundary: within two support radii of it. There "
+      "the force holds the traction too, so Div P is compared with Div P − P B/V, THEORY (11.4).",
+      jobs};
   out.picture.labels = Labels::legend;
   out.picture.height = 480;
   for (const auto& entry : cases())

@@ -55,7 +55,7 @@ Job job_of(const Variant& variant) {
   return job;
 }
 
-/// Error in L2 over one measure of the resolution or the cost.
+/// Relative error in L2 over one measure of the resolution or the cost.
 Figure compared(const Results& results, const std::vector<Variant>& variants, const std::string& id,
                 const std::string& title, const std::string& against, const Axis& axis,
                 const std::string& caption) {
@@ -148,7 +148,9 @@ Section write(const Results& results) {
       "T = 2π/ω = 39.34 ms; errors are those at 9T/8.",
       "The paper reports order 2 in L₂ and 0.9 to 1.2 in the H1 seminorm, the latter by Gauss points between "
       "the particles. "
-      "Columns l2 and h1 are sums over particles, l2_gauss and h1_gauss are the paper's quadrature."};
+      "Columns l2 and h1 are sums over particles, l2_gauss and h1_gauss are the paper's quadrature. Errors "
+      "are "
+      "relative to the exact field, but for the column with a unit."};
   return s;
 }
 

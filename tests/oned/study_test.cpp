@@ -65,7 +65,10 @@ TEST(Study, TrendsSayWhatTheErrorsDo) {
   EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"standard", Pair::none}}), "rmse"), Trend::divergent);
   EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:1,1")}, {{"improved", Pair::W1}}), "rmse"),
             Trend::noise_floor);
-  EXPECT_EQ(trend_of(refine({}, {40, 80}, {cubic}, {{"improved", Pair::W1}}), "rmse"), Trend::not_asymptotic);
+  // three levels agree to four digits, and no verdict can be made of them
+  EXPECT_EQ(trend_of(refine({}, {20, 40, 80}, {cubic}, {{"improved", Pair::W1}}), "interior_rmse"),
+            Trend::too_few_levels);
+  EXPECT_EQ(trend_of(refine({}, {40}, {cubic}, {{"improved", Pair::W1}}), "rmse"), Trend::too_few_levels);
   EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:2")}, {{"improved", Pair::W1}}), "rmse"),
             Trend::noise_floor);
 }

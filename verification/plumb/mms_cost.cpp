@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "plumbline/convergence/norm_units.hpp"
 #include "plumbline/core/error.hpp"
 
 namespace plumb {
@@ -59,6 +60,14 @@ std::vector<Choice> combinations(const std::vector<std::string>& vary) {
   return all;
 }
 
+/// Nothing is declared of costs. A run that broke is a failure, one that could not be built is not computed.
+std::string_view status_of(const mms::WorkPrecision& result) {
+  std::string_view status = "undeclared";
+  for (const auto& point : result.points)
+    if (point.failure) status = point.refused && status != "fail" ? "inconclusive" : "fail";
+  return status;
+}
+
 Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -100,8 +109,11 @@ Json json_of(const mms::WorkPrecision& result, int repeats) {
   for (const auto& c : result.cheapest)
     cheapest.push_back(
         {{"error", c.error}, {"measure", c.measure}, {"method", result.labels[c.variant]}, {"cost", c.cost}});
-  return {
-      {"threads", omp_get_max_threads()}, {"repeats", repeats}, {"points", points}, {"cheapest", cheapest}};
+  return {{"threads", omp_get_max_threads()},
+          {"repeats", repeats},
+          {"points", points},
+          {"cheapest", cheapest},
+          {"status", status_of(result)}};
 }
 
 reports::Picture work_picture(const mms::WorkPrecision& result) {
@@ -129,9 +141,12 @@ reports::Picture work_picture(const mms::WorkPrecision& result) {
 Json json_of(const Study& study, const mms::TemporalResult& result) {
   Json rows = Json::array(), fits = Json::array();
   for (const auto& order : result.orders) {
-    for (const auto& level : order.levels)
-      rows.push_back(
-          {{"integrator", order.integrator}, {"dt", level.spacing}, {"l2", number_or_null(level.error)}});
+    for (std::size_t k = 0; k < order.levels.size(); ++k) {
+      const Level& level = order.levels[k];
+      Json row{{"integrator", order.integrator}, {"dt", level.spacing}, {"l2", number_or_null(level.error)}};
+      row["status"] = mms::at_floor(order, k) ? "at-floor" : "fitted";
+      rows.push_back(row);
+    }
     const OrderFit& f = order.fit;
     fits.push_back({{"integrator", order.integrator},
                     {"order", number_or_null(f.order)},
@@ -145,8 +160,10 @@ Json json_of(const Study& study, const mms::TemporalResult& result) {
           {"n", result.n},
           {"reference_step", result.reference_step},
           {"spatial_error", result.spatial_error},
+          {"units", {{"l2", unit_of_norm("l2", study.dimension())}}},
           {"rows", rows},
           {"fits", fits},
+          {"notes", result.notes},
           {"status", result.status}};
 }
 
@@ -154,7 +171,8 @@ reports::Picture temporal_picture(const Study& study, const mms::TemporalResult&
   reports::Picture picture;
   picture.title = fmt::format("{}: error of the time steps at d = {:g} m", study.name, result.d);
   picture.x = {"time step", "s", reports::Scale::log};
-  picture.y = {"L2 difference to the fine-step run", "", reports::Scale::log};
+  picture.y = {"L2 difference to the fine-step run", unit_of_norm("l2", study.dimension()),
+               reports::Scale::log};
   picture.labels = reports::Labels::legend;
   for (const auto& order : result.orders) {
     reports::Series series;

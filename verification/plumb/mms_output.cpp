@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "mms/manufactured.hpp"
+#include "plumb/fit_text.hpp"
+#include "plumbline/convergence/norm_units.hpp"
 
 namespace plumb {
 namespace {
@@ -13,9 +15,9 @@ using Json = nlohmann::ordered_json;
 
 Json level_json(const Study& study, const mms::StudyLevel& level) {
   Json row{{"n", level.n}, {"d", level.d}, {"dt", level.dt}, {"steps", level.steps}};
-  for (const std::string& norm : mms::norms_of(study)) row[norm] = mms::norm_of(level, norm);
   for (const std::string& norm : mms::norms_of(study))
     row["relative_" + norm] = mms::norm_of(level, norm) / mms::size_of(level, norm);
+  for (const std::string& norm : mms::norms_of(study)) row[norm] = mms::norm_of(level, norm);
   row["cpu_s"] = level.cpu_s;
   row["wall_s"] = level.wall_s;
   row["setup_s"] = level.setup_s;
@@ -33,7 +35,7 @@ std::string norm_text(std::string norm) {
   return norm;
 }
 
-/// One picture has one axis: displacements and their gradient, not m/s and Pa.
+/// What fits a screen and a picture: displacements and their gradient.
 bool drawn(const std::string& norm) {
   return !norm.starts_with("velocity") && !norm.starts_with("stress");
 }
@@ -60,23 +62,38 @@ Json json_of(const Study& study, const mms::StudyResult& result) {
   Json out{{"study", study.name},  {"solution", study.solution},   {"parameters", study.parameters},
            {"force", study.force}, {"time", mms::end_time(study)}, {"levels", levels},
            {"fits", fits}};
+  Json units = Json::object();
+  for (const std::string& norm : mms::norms_of(study)) units[norm] = unit_of_norm(norm, study.dimension());
+  out["units"] = units;
   if (study.expect) out["reason"] = study.expect->reason;
   out["notes"] = result.notes;
   out["status"] = result.status;
   return out;
 }
 
-Json shown(const Json& levels) {
+Json shown(const Json& levels, bool relative) {
+  constexpr std::string_view prefix = "relative_";
   Json rows = Json::array();
   for (const auto& level : levels) {
     Json row;
-    for (const auto& [key, value] : level.items())
-      if (!key.starts_with("relative_") && drawn(key) && key != "wall_s" && key != "setup_s" &&
-          key != "pair_evaluations")
+    for (const auto& [key, value] : level.items()) {
+      const bool is_relative = key.starts_with(prefix);
+      const std::string norm = is_relative ? key.substr(prefix.size()) : key;
+      const bool is_norm = !unit_of_norm(norm, 2).empty();
+      if (is_norm ? drawn(norm) && is_relative == relative
+                  : key == "n" || key == "d" || key == "status" ||
+                        (relative && (key == "dt" || key == "steps" || key == "cpu_s")))
         row[key] = value;
+    }
     rows.push_back(row);
   }
   return rows;
+}
+
+std::string text_of(const std::vector<mms::StudyFit>& fits) {
+  std::vector<FitLine> lines;
+  for (const auto& fit : fits) lines.push_back({fit.norm, fit.fit, fit.declared, fit.verdict});
+  return fits_text(lines);
 }
 
 Json solutions_json() {
@@ -119,7 +136,7 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
   reports::Picture picture;
   picture.title = fmt::format("{}: error at t = {:.4g} s", study.name, mms::end_time(study));
   picture.x = {"spacing", "m", reports::Scale::log};
-  picture.y = {"error", "", reports::Scale::log};
+  picture.y = {"relative error", "", reports::Scale::log};
   picture.labels = reports::Labels::legend;
   for (const auto& fit : result.fits) {
     if (!drawn(fit.norm)) continue;
@@ -127,7 +144,7 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
     series.label = norm_text(fit.norm);
     for (const auto& level : result.levels) {
       series.x.push_back(level.d);
-      series.y.push_back(mms::norm_of(level, fit.norm));
+      series.y.push_back(mms::norm_of(level, fit.norm) / mms::size_of(level, fit.norm));
     }
     if (fit.declared && picture.triangles.empty())
       picture.triangles.push_back({*fit.declared, picture.series.size()});

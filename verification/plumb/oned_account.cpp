@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "oned/account.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 
 namespace plumb {
 namespace {
@@ -16,9 +18,13 @@ using Json = nlohmann::ordered_json;
 
 int account(const Session& session) {
   Json sentences = Json::array();
+  bool all_measured = true;  // whether a sentence holds is a finding; a number that is none decides nothing
   for (const auto& sentence : oned::account()) {
     Json measured = Json::object();
-    for (const auto& [name, value] : sentence.measured) measured[name] = value;
+    for (const auto& [name, value] : sentence.measured) {
+      measured[name] = value;
+      all_measured = all_measured && std::isfinite(value);
+    }
     session.text() << fmt::format("{}: {}\n  {}. {}\n", sentence.where, sentence.claim,
                                   name_of(sentence.holds), sentence.finding);
     for (const auto& [name, value] : sentence.measured)
@@ -29,8 +35,10 @@ int account(const Session& session) {
                          {"finding", sentence.finding},
                          {"measured", measured}});
   }
-  session.write_json({{"sentences", sentences}});
-  return 0;
+  const std::string status = all_measured ? "pass" : "inconclusive";
+  session.text() << "status: " << status << '\n';
+  session.write_json({{"sentences", sentences}, {"status", status}});
+  return exit_code_of(status);
 }
 
 }  // namespace

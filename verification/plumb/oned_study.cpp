@@ -9,11 +9,13 @@
 #include <ostream>
 
 #include "oned/study.hpp"
+#include "plumb/fit_text.hpp"
 #include "plumb/oned_options.hpp"
 #include "plumb/oned_output.hpp"
 #include "plumb/oned_pictures.hpp"
 #include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 
 namespace plumb {
 namespace {
@@ -58,6 +60,14 @@ Json study_fit(const oned::StudyFit& f) {
   return fit;
 }
 
+/// Of the norms over the whole body: interior and boundary need not exist on every level.
+std::string_view status_of(const std::vector<oned::StudyFit>& fits) {
+  std::vector<Judged> judged;
+  for (const auto& fit : fits)
+    if (fit.norm == "rmse" || fit.norm == "max") judged.push_back({name_of(fit.trend), false});
+  return plumb::status_of(judged);
+}
+
 /// The warnings of all levels, each text once.
 std::vector<std::string> study_warnings(const OnedOptions& options, const std::vector<oned::Field>& fields) {
   std::vector<std::string> all;
@@ -87,16 +97,18 @@ int study(const Session& session, OnedOptions options, const SittingOptions& whe
   Json rows = Json::array(), fits = Json::array();
   for (const auto& r : result.rows) rows.push_back(study_row(r));
   session.write_table(rows);
-  session.text() << '\n';
+  std::vector<FitLine> lines;
   for (const auto& f : result.fits) {
     fits.push_back(study_fit(f));
-    session.text() << fmt::format("{} {} {} {}: order {:.4f} [{:.4f}, {:.4f}] from {} levels, {}\n", f.field,
-                                  f.estimator, name_of(f.pair), f.norm, f.fit.order, f.fit.lower, f.fit.upper,
-                                  f.fit.levels.size(), name_of(f.trend));
+    lines.push_back({fmt::format("{} {} {} {}", f.field, f.estimator, name_of(f.pair), f.norm), f.fit,
+                     std::nullopt, std::string(name_of(f.trend))});
   }
-  session.write_json({{"parameters", parameters_of(options)}, {"rows", rows}, {"fits", fits}});
+  const std::string_view status = status_of(result.fits);
+  session.text() << '\n' << fits_text(lines) << "status: " << status << '\n';
+  session.write_json(
+      {{"parameters", parameters_of(options)}, {"rows", rows}, {"fits", fits}, {"status", status}});
   draw(session, study_picture(result));
-  return 0;
+  return exit_code_of(status);
 }
 
 }  // namespace
@@ -113,6 +125,7 @@ void add_oned_study(CLI::App& group, Session& session) {
   add_field_option(command, *options);
   add_method_options(command, *options);
   add_sitting_options(command, *where);
+  point_to_verdicts(command);
 }
 
 }  // namespace plumb

@@ -65,7 +65,7 @@ std::vector<std::pair<std::string, std::string>> first_calls() {
 
 std::string example_of(const CLI::App& app) {
   const std::string footer = app.get_footer(), start = "Example: ";
-  return footer.starts_with(start) ? footer.substr(start.size()) : "";
+  return footer.starts_with(start) ? footer.substr(start.size(), footer.find('\n') - start.size()) : "";
 }
 
 bool takes_value(const CLI::Option& option) {

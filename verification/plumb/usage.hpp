@@ -15,7 +15,7 @@ namespace plumb {
 /// What the exit codes mean.
 inline constexpr std::array<std::pair<int, const char*>, 3> exit_codes{{
     {0, "done"},
-    {1, "a check failed or a run became unstable"},
+    {1, "a check failed or says nothing either way (the status tells which), or a run became unstable"},
     {2, "bad input: nothing was computed and nothing written, but for the error where --json asks for it"},
 }};
 

@@ -13,6 +13,7 @@
 #include "plumb/commands.hpp"
 #include "plumb/run/kept_folder.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "plumbline/core/error.hpp"
 #include "plumbline/output/terminal.hpp"
 #include "reports/run/store.hpp"
@@ -126,7 +127,8 @@ int tell_changes(const Session& session, const claims::CheckResult& checked, Jso
   for (const auto& change : checked.changes) std::cerr << "plumb: " << change << '\n';
   session.text() << fmt::format("{} numbers measured again, {} changes\n", checked.readings.size(),
                                 checked.changes.size());
-  return checked.changes.empty() ? 0 : 1;
+  result["status"] = checked.changes.empty() ? "pass" : "fail";
+  return exit_code_of(result["status"].get<std::string>());
 }
 
 int run_claims(const Session& session, const ClaimsOptions& options) {

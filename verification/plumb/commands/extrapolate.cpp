@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "plumb/commands.hpp"
+#include "plumb/extrapolation_output.hpp"
+#include "plumb/fit_text.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "plumbline/convergence/richardson.hpp"
 #include "plumbline/convergence/verdict.hpp"
 #include "plumbline/core/error.hpp"
@@ -15,24 +19,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What the error of a reference is estimated with if no order is declared.
+constexpr double assumed_order = 2;
+
 struct ExtrapolateOptions {
   std::vector<double> spacings, values, reference;
-  double order = 2, safety = 1.25;
+  std::optional<double> order;
+  double safety = 1.25;
 };
-
-std::string_view name_of(Extrapolation::Behaviour behaviour) {
-  switch (behaviour) {
-    case Extrapolation::Behaviour::monotone:
-      return "monotone";
-    case Extrapolation::Behaviour::oscillatory:
-      return "oscillatory";
-    case Extrapolation::Behaviour::divergent:
-      return "divergent";
-    case Extrapolation::Behaviour::converged:
-      break;
-  }
-  return "converged";
-}
 
 std::vector<Sample> samples_of(const ExtrapolateOptions& options) {
   if (options.spacings.size() != options.values.size())
@@ -44,42 +38,38 @@ std::vector<Sample> samples_of(const ExtrapolateOptions& options) {
   return samples;
 }
 
-/// Order against a value from a much finer grid. A reference among the grids, or not fine enough, is refused.
+/// Order against a value from a much finer grid. A reference among the grids, or not fine enough, is refused,
+/// and so is a value that is not a number.
 int against_reference(const Session& session, const ExtrapolateOptions& options) {
   if (options.reference.size() != 2)
     throw InputError("--reference takes a spacing and a value", "", "Write --reference 0.001,2.4049.");
-  const OrderFit fit = fit_order(
-      errors_against(samples_of(options), {options.reference[0], options.reference[1]}, options.order));
-  session.text() << fmt::format("order {:.3f} [{:.3f}, {:.3f}] from {} levels: {}\n", fit.order, fit.lower,
-                                fit.upper, fit.levels.size(), name_of(classify(fit)));
+  const std::vector<Sample> samples = samples_of(options);
+  for (const Sample& sample : samples)
+    if (!std::isfinite(sample.value) || !std::isfinite(options.reference[1]))
+      throw InputError(fmt::format("the value {} at spacing {:g} against the reference {}", sample.value,
+                                   sample.spacing, options.reference[1]),
+                       "an order needs finite numbers", "Leave broken runs out.");
+  const OrderFit fit = fit_order(errors_against(samples, {options.reference[0], options.reference[1]},
+                                                options.order.value_or(assumed_order)));
+  const std::string verdict(options.order ? name_of(judge(fit, *options.order)) : name_of(classify(fit)));
+  const std::string_view status = status_of({{verdict, options.order.has_value()}});
+  session.text() << fits_text({{"error", fit, options.order, verdict}}) << "status: " << status << '\n';
   session.write_json({{"order", fit.order},
                       {"ci95", {fit.lower, fit.upper}},
                       {"pairwise", fit.pairwise},
                       {"levels", fit.levels.size()},
-                      {"verdict", name_of(classify(fit))}});
-  return 0;
+                      {"declared", options.order ? Json(*options.order) : Json()},
+                      {"verdict", verdict},
+                      {"status", status}});
+  return exit_code_of(status);
 }
 
 int extrapolate_action(const Session& session, const ExtrapolateOptions& options) {
   if (!options.reference.empty()) return against_reference(session, options);
-  const Extrapolation found = richardson(samples_of(options), options.safety);
-  const bool monotone = found.behaviour == Extrapolation::Behaviour::monotone;
-  if (monotone)
-    session.text() << fmt::format(
-        "observed order {:.4f}\nvalue at spacing 0: {:.10g}\ngrid convergence index {:.4g} (finest), {:.4g} "
-        "(next)\n"
-        "asymptotic ratio {:.4f}\n",
-        found.order, found.limit, found.gci_fine, found.gci_coarse, found.asymptotic_ratio);
-  else
-    session.text() << fmt::format("{}: no order and no limit can be read off\n", name_of(found.behaviour));
-  session.write_json({{"behaviour", name_of(found.behaviour)},
-                      {"order", found.order},
-                      {"limit", found.limit},
-                      {"gci_fine", found.gci_fine},
-                      {"gci_coarse", found.gci_coarse},
-                      {"asymptotic_ratio", found.asymptotic_ratio},
-                      {"safety", options.safety}});
-  return monotone || found.behaviour == Extrapolation::Behaviour::converged ? 0 : 1;
+  const Extrapolated found = extrapolated(samples_of(options), options.safety, options.order);
+  session.text() << found.text;
+  session.write_json(found.json);
+  return exit_code_of(found.status);
 }
 
 }  // namespace
@@ -106,9 +96,13 @@ void add_extrapolate(CLI::App& program, Session& session) {
                   "SPACING,VALUE of a much finer grid: order of the differences to it; refused if its own "
                   "error counts")
       ->delimiter(',');
-  command.add_option("--order", options->order, "with --reference: the order that is expected")
-      ->capture_default_str()
+  command
+      .add_option(
+          "--order", options->order,
+          "the order that is declared: with --reference it is judged, else the asymptotic ratio is formed "
+          "with it")
       ->check(CLI::PositiveNumber);
+  point_to_verdicts(command);
 }
 
 }  // namespace plumb

@@ -7,10 +7,13 @@
 
 #include "mms/manufactured.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/fit_text.hpp"
 #include "plumb/mms_cost.hpp"
 #include "plumb/mms_output.hpp"
 #include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/norm_units.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "plumbline/output/table.hpp"
 
 namespace plumb {
@@ -42,8 +45,9 @@ int list(const Session& session) {
       dimensions += fmt::format("{}{}D", dimensions.empty() ? "" : ", ", d);
     session.text() << fmt::format("{} ({}): {}\n", entry.name, dimensions, entry.summary);
     for (const auto& p : entry.parameters.all())
-      session.text() << fmt::format("    {} = {:g} {}, from {:g} to {:g}: {}\n", p.name, p.value,
-                                    p.unit == "1" ? "" : p.unit, p.least, p.most, p.meaning);
+      session.text() << fmt::format("    {} = {:g}{}, from {:g} to {:g}: {}\n", p.name, p.value,
+                                    p.unit == "1" ? "" : fmt::format(" {}", p.unit), p.least, p.most,
+                                    p.meaning);
   }
   session.write_json(solutions_json());
   return 0;
@@ -55,11 +59,11 @@ int check(const Session& session, const MmsOptions& options) {
   for (const auto& one : checks) passed = passed && one.passed;
   const Json rows = json_of(checks);
   session.write_table(rows);
+  const std::string status = passed ? "pass" : "fail";
   session.text() << fmt::format("two derivations compared, relative; tolerance {:g}: {}\n",
-                                mms::check_tolerance, passed ? "pass" : "fail");
-  session.write_json(
-      {{"tolerance", mms::check_tolerance}, {"rows", rows}, {"status", passed ? "pass" : "fail"}});
-  return passed ? 0 : 1;
+                                mms::check_tolerance, status);
+  session.write_json({{"tolerance", mms::check_tolerance}, {"rows", rows}, {"status", status}});
+  return exit_code_of(status);
 }
 
 void draw(const Session& session, const reports::Picture& picture) {
@@ -86,15 +90,18 @@ int temporal(const Session& session, const MmsOptions& options) {
   });
   progress.finish();
   const Json json = json_of(study, result);
-  session.write_table(json["rows"]);
+  std::vector<FitLine> lines;
   for (const auto& order : result.orders)
-    session.text() << fmt::format("{:<18} order {:.3f} [{:.3f}, {:.3f}] from {} steps, declared {:g}: {}\n",
-                                  order.integrator, order.fit.order, order.fit.lower, order.fit.upper,
-                                  order.fit.levels.size(), order.declared, order.verdict);
-  session.text() << fmt::format("error in space {:.4g}\nstatus: {}\n", result.spatial_error, result.status);
+    lines.push_back({order.integrator, order.fit, order.declared, order.verdict});
+  session.text() << plain_text(table_of(with_units(json["rows"], study.dimension()))) << '\n'
+                 << fits_text(lines);
+  session.write_csv(json["rows"]);
+  for (const auto& note : result.notes) session.text() << note << '\n';
+  session.text() << fmt::format("error in space: l2 {:.4g} {}\nstatus: {}\n", result.spatial_error,
+                                unit_of_norm("l2", study.dimension()), result.status);
   draw(session, temporal_picture(study, result));
   session.write_json(json);
-  return result.status == "pass" ? 0 : 1;
+  return exit_code_of(result.status);
 }
 
 int work_precision(const Session& session, const MmsOptions& options) {
@@ -109,9 +116,11 @@ int work_precision(const Session& session, const MmsOptions& options) {
   for (const auto& c : result.cheapest)
     session.text() << fmt::format("relative error {:g}: cheapest {} = {:.4g}, {}\n", c.error, c.measure,
                                   c.cost, result.labels[c.variant]);
+  const auto status = json["status"].get<std::string>();
+  session.text() << "status: " << status << '\n';
   draw(session, work_picture(result));
   session.write_json(json);
-  return 0;
+  return exit_code_of(status);
 }
 
 int study(const Session& session, const MmsOptions& options) {
@@ -125,19 +134,17 @@ int study(const Session& session, const MmsOptions& options) {
   });
   progress.finish();
   const Json json = json_of(study, result);
-  session.text() << plain_text(table_of(shown(json["levels"])))
-                 << "relative errors, velocity, stress, pair evaluations: --csv or --json\n\n";
+  for (const bool relative : {true, false})
+    session.text() << plain_text(table_of(with_units(shown(json["levels"], relative), study.dimension())))
+                   << '\n';
+  session.text() << "relative velocity and stress errors, pair evaluations: --csv or --json\n\n"
+                 << text_of(result.fits);
   session.write_csv(json["levels"]);
-  for (const auto& fit : result.fits)
-    session.text() << fmt::format("{:<9} order {:.3f} [{:.3f}, {:.3f}] from {} levels{}: {}\n", fit.norm,
-                                  fit.fit.order, fit.fit.lower, fit.fit.upper, fit.fit.levels.size(),
-                                  fit.declared ? fmt::format(", declared {:g}", *fit.declared) : "",
-                                  fit.verdict);
   for (const auto& note : result.notes) session.text() << note << '\n';
   session.text() << "status: " << result.status << '\n';
   draw(session, study_picture(study, result));
   session.write_json(json);
-  return !study.expect || result.status == "pass" ? 0 : 1;
+  return exit_code_of(result.status);
 }
 
 int mms_action(const Session& session, const MmsOptions& options) {
@@ -186,6 +193,7 @@ void add_mms(CLI::App& program, Session& session) {
   command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
       ->type_name("section.key=value");
   add_sitting_options(command, options->sitting);
+  point_to_verdicts(command);
 }
 
 }  // namespace plumb

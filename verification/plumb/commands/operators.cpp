@@ -8,7 +8,9 @@
 #include "mms/manufactured.hpp"
 #include "mms/operators.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/fit_text.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "reports/picture.hpp"
 
 namespace plumb {
@@ -76,20 +78,26 @@ int operators_action(const Session& session, const OperatorOptions& options) {
   progress.finish();
   Json levels = Json::array(), fits = Json::array();
   for (const auto& level : result.levels) levels.push_back(level_json(level));
-  session.write_table(levels);
-  session.text() << '\n';
+  session.text()
+      << plain_text(table_of(with_units(levels, study.dimension())))
+      << "errors are relative to the exact F - I, Div P and Laplacian over the body; Div P against "
+         "Div P - P B/V\n\n";
+  session.write_csv(levels);
+  std::vector<FitLine> lines;
   for (const auto& fit : result.fits) {
     fits.push_back(operator_fit_json(fit));
-    session.text() << fmt::format("{:<11}{:<9} order {:.3f} [{:.3f}, {:.3f}] from {} levels: {}\n", fit.name,
-                                  fit.part, fit.fit.order, fit.fit.lower, fit.fit.upper,
-                                  fit.fit.levels.size(), fit.verdict);
+    lines.push_back({fit.name + ", " + fit.part, fit.fit, std::nullopt, fit.verdict});
   }
+  session.text() << fits_text(lines) << "status: " << result.status << '\n';
   if (!session.plot.empty())
     for (const auto& dropped : reports::save(picture_of(study, levels, result), session.plot))
       session.warn(fmt::format("{}: {} points not drawn, {}", dropped.series, dropped.points, dropped.why));
-  session.write_json(
-      {{"study", study.name}, {"solution", study.solution}, {"levels", levels}, {"fits", fits}});
-  return 0;
+  session.write_json({{"study", study.name},
+                      {"solution", study.solution},
+                      {"levels", levels},
+                      {"fits", fits},
+                      {"status", result.status}});
+  return exit_code_of(result.status);
 }
 
 }  // namespace
@@ -100,12 +108,13 @@ void add_operators(CLI::App& program, Session& session) {
   CLI::App& command = add_command(
       program, session,
       {"operators", "errors of F, Div P and the Laplacian on an exact field; integration constraint",
-       "plumb operators verification/studies/operators.toml --set body.jitter=0.2"},
+       "plumb operators verification/studies/operators.toml --set method.momentum=symmetrised"},
       {.table = true, .plot = true}, [&session, options] { return operators_action(session, *options); });
   command.add_option("study", options->study, "study file (TOML); its end time is the time of the field")
       ->required();
   command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
       ->type_name("section.key=value");
+  point_to_verdicts(command);
 }
 
 }  // namespace plumb

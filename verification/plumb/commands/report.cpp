@@ -14,6 +14,7 @@
 #include "plumb/provenance.hpp"
 #include "plumb/run/interrupt.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/outcome.hpp"
 #include "plumbline/core/error.hpp"
 
 namespace plumb {
@@ -40,15 +41,16 @@ int report(const Session& session, reports::ReportOptions options) {
   const auto summary = reports::make_report(options);
   progress.finish();
   Json verdicts = Json::object();
-  std::size_t bad = summary.problems.size();
+  std::vector<Judged> judged(summary.problems.size(), Judged{"not-computed"});
   for (const auto& [name, count] : summary.verdicts) {
     verdicts[name] = count;
-    if (name == "fail") bad += count;
+    judged.insert(judged.end(), count, Judged{name});
     session.text() << fmt::format("{:>5} {}\n", count, name);
   }
+  const std::string_view status = status_of(judged);
   for (const auto& problem : summary.problems) std::cerr << "plumb: no answer in section " << problem << '\n';
-  session.text() << fmt::format("{} studies, {} of them stored ones\nreport: {}\n", summary.jobs,
-                                summary.reused,
+  session.text() << fmt::format("status: {}\n{} studies, {} of them stored ones\nreport: {}\n", status,
+                                summary.jobs, summary.reused,
                                 std::filesystem::absolute(summary.page).lexically_normal().string());
   Json rows = Json::array(), kinds = Json::object();
   for (const auto& kind : reports::check_kinds()) kinds[name_of(kind)] = {{"pass", 0}, {"all", 0}};
@@ -68,13 +70,14 @@ int report(const Session& session, reports::ReportOptions options) {
                                   count["all"].get<int>(), kind);
   session.write_json({{"page", summary.page.string()},
                       {"verdicts", verdicts},
+                      {"status", status},
                       {"kinds", kinds},
                       {"rows", rows},
                       {"problems", summary.problems},
                       {"studies", summary.jobs},
                       {"reused", summary.reused},
                       {"cpu_s", summary.cpu_s}});
-  return bad == 0 ? 0 : 1;
+  return exit_code_of(status);
 }
 
 }  // namespace

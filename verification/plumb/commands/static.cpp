@@ -7,9 +7,12 @@
 #include "mms/manufactured.hpp"
 #include "mms/static_study.hpp"
 #include "plumb/commands.hpp"
+#include "plumb/fit_text.hpp"
 #include "plumb/mms_output.hpp"
 #include "plumb/run/sittings.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/convergence/norm_units.hpp"
+#include "plumbline/convergence/outcome.hpp"
 
 namespace plumb {
 namespace {
@@ -23,8 +26,10 @@ struct StaticOptions {
 };
 
 Json level_json(const mms::StaticLevel& level) {
-  Json row{
-      {"n", level.n}, {"d", level.d}, {"l2", level.l2}, {"h1", level.h1}, {"stress_l2", level.stress_l2}};
+  Json row{{"n", level.n}, {"d", level.d}};
+  for (const mms::NormName& norm : mms::static_norms())
+    row[fmt::format("relative_{}", norm.name)] = level.relative(norm.value);
+  for (const mms::NormName& norm : mms::static_norms()) row[std::string(norm.name)] = level.error.*norm.value;
   if (level.frequency_error) row["frequency_error"] = *level.frequency_error;
   if (level.compatible) {
     row["divergence_defect"] = level.compatible->divergence_defect;
@@ -50,21 +55,21 @@ int static_action(const Session& session, const StaticOptions& options) {
   progress.finish();
   Json levels = Json::array(), fits = Json::array();
   for (const auto& level : result.levels) levels.push_back(level_json(level));
-  for (const auto& fit : result.fits) {
-    fits.push_back(fit_json(fit));
-    session.text() << fmt::format("{:<9} order {:.3f} [{:.3f}, {:.3f}] from {} levels{}: {}\n", fit.norm,
-                                  fit.fit.order, fit.fit.lower, fit.fit.upper, fit.fit.levels.size(),
-                                  fit.declared ? fmt::format(", declared {:g}", *fit.declared) : "",
-                                  fit.verdict);
-  }
-  session.write_table(levels);
+  for (const auto& fit : result.fits) fits.push_back(fit_json(fit));
+  session.text() << plain_text(table_of(with_units(levels, study.dimension()))) << '\n'
+                 << text_of(result.fits);
+  session.write_csv(levels);
   session.text() << "status: " << result.status << '\n';
+  Json units = Json::object();
+  for (const mms::NormName& norm : mms::static_norms())
+    units[std::string(norm.name)] = unit_of_norm(norm.name, study.dimension());
   session.write_json({{"study", study.name},
                       {"solution", study.solution},
                       {"levels", levels},
                       {"fits", fits},
+                      {"units", units},
                       {"status", result.status}});
-  return !study.expect || result.status == "pass" ? 0 : 1;
+  return exit_code_of(result.status);
 }
 
 }  // namespace
@@ -81,6 +86,7 @@ void add_static(CLI::App& program, Session& session) {
   command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
       ->type_name("section.key=value");
   add_sitting_options(command, options->sitting);
+  point_to_verdicts(command);
 }
 
 }  // namespace plumb

@@ -7,6 +7,8 @@
 
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
+#include "plumbline/convergence/norm_units.hpp"
+#include "plumbline/convergence/words.hpp"
 
 namespace plumb {
 namespace {
@@ -84,6 +86,10 @@ std::string manual(const CLI::App& program, const std::string& version, const st
           shared_entries(program);
   text += ".SH COMMANDS\n" + plain(where_examples_run) + "\n";
   for (const auto& [path, app] : every_command(program)) text += command_entry(path, *app);
+  text += ".SH VERDICTS\n";
+  for (const VerdictWord& one : verdict_words)
+    text += fmt::format(".TP\n{}\n{}\n", bold(std::string(one.word)), plain(std::string(one.meaning)));
+  text += ".PP\n" + plain(std::string(norms_explained)) + "\n";
   text += ".SH EXIT STATUS\n";
   for (const auto& [code, meaning] : exit_codes)
     text += fmt::format(".TP\n{}\n{}\n", bold(std::to_string(code)), plain(meaning));
