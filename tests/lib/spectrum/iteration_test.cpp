@@ -33,7 +33,7 @@ Scene scene_of(const Body& body) {
   scene.method.gradient = body.gradient;
   scene.method.pair = body.pair;
   scene.method.beta = body.beta;
-  if (body.eta4 > 0) scene.jst = Jst{0, body.eta4};
+  if (body.eta4 > 0) scene.method.jst = JstOptions{0, body.eta4};
   if (body.clamped) scene.boundaries.push_back({.face = Face{0, -1}});
   return scene;
 }
