@@ -43,7 +43,8 @@ class RunFolder : public testing::Test {
     const std::string series = scene_.file("out", "series.csv").string();
     return run_shell(before + scene_.call("out", "--quiet --set scene.end_time=1e5") +
                      " & run=$!; until [ \"$(cat " + series +
-                     " 2>/dev/null | wc -l)\" -ge 3 ] || ! kill -0 $run 2>/dev/null; do sleep 0.02; done; " + then);
+                     " 2>/dev/null | wc -l)\" -ge 3 ] || ! kill -0 $run 2>/dev/null; do sleep 0.02; done; " +
+                     then);
   }
   bool has(const std::string& name) const { return std::filesystem::exists(scene_.file("out", name)); }
 
