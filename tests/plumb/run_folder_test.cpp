@@ -41,9 +41,10 @@ class RunFolder : public testing::Test {
   /// Runs without end, and does `then` when there are rows; `$run` is its process.
   test::Outcome endless_until(const std::string& then, const std::string& before = "") const {
     const std::string series = scene_.file("out", "series.csv").string();
-    return run_shell(before + scene_.call("out", "--quiet --set scene.end_time=1e6") +
+    return run_shell(before + scene_.call("out", "--quiet --set scene.end_time=1e5") +
                      " & run=$!; until [ \"$(cat " + series +
-                     " 2>/dev/null | wc -l)\" -ge 3 ]; do sleep 0.02; done; " + then);
+                     " 2>/dev/null | wc -l)\" -ge 3 ] || ! kill -0 $run 2>/dev/null; do sleep 0.02; done; " +
+                     then);
   }
   bool has(const std::string& name) const { return std::filesystem::exists(scene_.file("out", name)); }
 
@@ -156,7 +157,7 @@ TEST_F(RunFolder, TheBoundOfAContinuedRunIsThatOfItsFirstState) {
   c.initial_momentum.angular = {0, 0, 3};
   c.initial_momentum.angular_scale = 12;
   write_checkpoint(scene_.file("out", "checkpoint.h5"), c);
-  EXPECT_EQ(scene_.run("out", "--set scene.end_time=1e6 --resume").code, 1);
+  EXPECT_EQ(scene_.run("out", "--set scene.end_time=1e5 --resume").code, 1);
   const json s = scene_.summary("out");
   EXPECT_EQ(s["status"], "unstable");
   EXPECT_EQ(s["failure"]["cause"], "energy-growth");

@@ -264,8 +264,9 @@ TEST_F(RunCommand, ASignalEndsTheRunInOrder) {
   // The signal is sent once the first row is there, that is, once the run has begun.
   const auto outcome = test::run_shell(
       PLUMB_EXECUTABLE " run " + (folder_ / "scene.toml").string() + " --out " + out().string() +
-      " --set scene.end_time=1e6 --json - & run=$!; until [ \"$(cat " + series +
-      " 2>/dev/null | wc -l)\" -ge 2 ]; do sleep 0.02; done; " + "kill -INT $run; wait $run");
+      " --set scene.end_time=1e5 --json - & run=$!; until [ \"$(cat " + series +
+      " 2>/dev/null | wc -l)\" -ge 2 ] || ! kill -0 $run 2>/dev/null; do sleep 0.02; done; " +
+      "kill -INT $run; wait $run");
   EXPECT_EQ(outcome.code, 130) << outcome.error;
   const json summary = json::parse(outcome.out);
   EXPECT_EQ(summary["status"], "interrupted");

@@ -38,7 +38,7 @@ const std::vector<std::string> calls{
     "oned gradient --field sin:5 --n 10",
     "oned study --n 20,40,80,160",
     "oned response",
-    "operators " + root + "/verification/studies/swinging_plate.toml --set study.spacings=[0.5,0.25]",
+    "operators " + root + "/verification/studies/operators.toml --set study.spacings=[0.1,0.05]",
     "spectrum " + root + "/verification/scenes/swinging-plate.toml --set body.spacing=0.5",
 };
 
