@@ -148,7 +148,8 @@ std::string summary_text(const FinishedRun<d>& run) {
     text += fmt::format(", step {}, t = {:.9g} s\n", failure->step, failure->time);
     const std::string cause = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
     if (!cause.empty())
-      text += "  " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 2, 2) + "\n";
+      text +=
+          "  likely cause: " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 16, 2) + "\n";
   }
   text += fmt::format("  energy {:.9g} {} (kinetic {:.6g}, strain {:.6g}; at the start {:.9g})\n",
                       energy.total(), unit, energy.kinetic, energy.strain, run.book.initial_energy.total());
