@@ -105,10 +105,10 @@ std::vector<SceneChoice> scene_choices() {
           {"method.momentum", "momentum", momentum_names()},
           {"method.integrator", "integrator", integrator_names()},
           {"method.wave_speed", "wave speed", wave_speed_names()},
-          {"compatible.start", "start of compatible bonds", start_table_names()},
-          {"compatible.volumes", "volumes of compatible bonds", compatible_volume_names()},
-          {"compatible.surface", "surface of compatible bonds", compatible_surface_names()},
-          {"jst.outer", "outer level of jst", outer_laplacian_names()},
+          {"compatible.start", "compatible start", start_table_names()},
+          {"compatible.volumes", "compatible volume", compatible_volume_names()},
+          {"compatible.surface", "compatible surface", compatible_surface_names()},
+          {"jst.outer", "jst level", outer_laplacian_names()},
           {"boundary.0.kind", "boundary kind", boundary_kind_names()},
           {"boundary.0.face", "face", face_names(3)}};
 }

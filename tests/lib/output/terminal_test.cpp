@@ -62,7 +62,7 @@ TEST(BarLine, NeverExceedsTheWidth) {
     }
   EXPECT_EQ(bar_line("run", 0.5, "5 %/s, 10 s left", "", 80),
             "run [###############...............]  50 %, 5 %/s, 10 s left");
-  EXPECT_EQ(bar_line("run", 0.5, "5 %/s, 10 s left", "", 41), "run [#####.....]  50 %, 5 %/s, 10 s left");
+  EXPECT_EQ(bar_line("run", 0.5, "5 %/s, 10 s left", "", 41), "run [#####......]  50 %, 5 %/s, 10 s left");
 }
 
 /// What the program draws on a terminal of 60 columns, read at its other end.

@@ -80,8 +80,9 @@ void tell_arrays(std::ostream& out, const Json& json) {
 }  // namespace
 
 void tell(std::ostream& out, const Json& json) {
-  out << fmt::format("{} ({}D) solves the motion of an elastic body by total Lagrangian SPH.\n",
-                     json["scene"].get<std::string>(), json["dimension"].get<int>());
+  out << from_column(0, fmt::format("{} ({}D) solves the motion of an elastic body by total Lagrangian SPH.",
+                                    json["scene"].get<std::string>(), json["dimension"].get<int>()))
+      << '\n';
   if (const auto shows = json["shows"].get<std::string>(); !shows.empty())
     out << "  " << fmt::format("{:<12} {}\n", "shows", from_column(15, shows));
   for (const auto& statement : json["solves"])

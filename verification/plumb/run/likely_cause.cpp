@@ -24,14 +24,14 @@ std::string likely_cause(const Scene& scene, const Simulation<d>& simulation, do
   const auto limit = stable_share(scene.method.integrator);
   if (limit && first_step > *limit * crossing)
     return fmt::format(
-        "likely cause: the time step is {:.3g} of the time that a pressure wave needs from particle to "
+        "the time step is {:.3g} of the time that a pressure wave needs from particle to "
         "particle, and {} "
         "bears about {:.2g}; use {}",
         first_step / crossing, scene.method.integrator, *limit,
         scene.method.time_step ? fmt::format("time_step = {:.2g} or less", 0.5 * crossing)
                                : std::string("cfl = 0.5"));
   if (scene.method.momentum == "symmetrised" && scene.method.gradient != "compatible" && !scene.jst)
-    return "likely cause: with momentum = \"symmetrised\" motion grows near free faces at any time step; use "
+    return "with momentum = \"symmetrised\" motion grows near free faces at any time step; use "
            "momentum = "
            "\"adjoint\"";
   return "";

@@ -68,7 +68,8 @@ std::string summary_text(const FinishedRun<d>& run) {
     text += failure_text(*run.result.failure);
     const std::string cause = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
     if (!cause.empty())
-      text += "  " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 2, 2) + "\n";
+      text +=
+          "  likely cause: " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 16, 2) + "\n";
   }
   text += energy_text(run);
   if (is_free(run.scene)) {
