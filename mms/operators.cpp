@@ -177,7 +177,8 @@ OperatorResult run_in(const Study& study, const StudyProgress& progress) {
   result.fits.push_back(fit_of("constraint", part_names[inside], result.levels,
                                [](const OperatorLevel& level) { return level.constraint; }));
   std::vector<Judged> judged;
-  for (const OperatorFit& fit : result.fits) judged.push_back({fit.verdict, false});
+  for (const OperatorFit& fit : result.fits)
+    if (fit.part == part_names[inside]) judged.push_back({fit.verdict, false});
   result.status = plumb::status_of(judged);
   return result;
 }

@@ -35,7 +35,9 @@ struct OperatorFit {
 struct OperatorResult {
   std::vector<OperatorLevel> levels;
   std::vector<OperatorFit> fits;
-  std::string status;  ///< of plumb::status_of(): nothing is declared
+  /// Of plumb::status_of() from the inside: nothing is declared. At the boundary most schemes spread the
+  /// traction over several layers of particles, so that Div P does not converge there from point to point.
+  std::string status;
 };
 
 /// Applies the study's scheme to the exact displacements of its end time, on every spacing. Throws InputError

@@ -32,9 +32,9 @@ bool at_floor(const TemporalOrder& order, std::size_t level);
 /// Time errors alone: the study's first cloud is run with fixed steps by every integrator, against RK3 with
 /// a quarter of the finest step on the same cloud, so that space does not enter. Six steps, each half of the
 /// one before; the first is cfl times d over C_p, or time_step, rounded so that it divides the time. Also
-/// (30) as printed, with the loads of all stages at t^n. Levels at the floor of round-off are not fitted: eps
-/// d sqrt(steps) in every displacement, since F resolves strains to eps and each step adds a rounding of its
-/// own. The field of each run is a part of the sitting; throws SittingEnded if that ends.
+/// (30) as printed, with the loads of all stages at t^n. Levels at the floor of round-off are not fitted:
+/// what the roundings of the reference's steps leave. The field of each run is a part of the sitting; throws
+/// SittingEnded if that ends.
 TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting);
 /// The same in one sitting.
 inline TemporalResult run_temporal(const Study& study) {

@@ -203,6 +203,11 @@ Section write(const Results& results) {
       "P is not needed for convergence: a Galerkin scheme of linear consistency has an error of order 0 "
       "there and "
       "converges all the same (section on compatible bonds).",
+      "At the boundary compatible bonds hold the traction to a constant share of Div P; the other schemes "
+      "spread it "
+      "over several layers of particles, so that their difference from Div P − P B/V grows as 1/d from point "
+      "to "
+      "point.",
       "The Laplacian of JST has a constant relative error: it is a smoother, no approximation of known "
       "order."};
   return s;

@@ -83,18 +83,24 @@ TEST(Verdicts, OfStudiesInOneDimension) {
 }
 
 TEST(Verdicts, OfStudiesWithManufacturedSolutions) {
-  const std::string plate = "swinging_plate.toml --set study.quadrature=nodal --set study.spacings=",
-                    equilibrium = "static " + studies + "static_plate.toml --set study.spacings=",
-                    column = "mms " + studies + "stretched_column.toml --set study.spacings=[0.5,0.25]";
+  const std::string four_levels = " --set study.spacings=[0.2,0.125,0.1,0.0625]",
+                    two_levels = " --set study.spacings=[0.5,0.25]",
+                    plate = "mms " + studies + "swinging_plate.toml --set study.quadrature=nodal",
+                    lattice = "static " + studies + "static_plate.toml --set body.jitter=0",
+                    column = "mms " + studies + "stretched_column.toml";
   for (const Case& one : std::vector<Case>{
-           {"mms " + studies + plate + "[0.5,0.4]", "too-few-levels", "inconclusive", 1},
-           {"mms " + studies + plate + "[0.5,0.4,0.25,0.2] --set expect.l2=4", "fail", "fail", 1},
-           {equilibrium + "[0.5,0.25]", "too-few-levels", "inconclusive", 1},
-           {equilibrium + "[0.25,0.2,0.125,0.1] --set expect.l2=4", "fail", "fail", 1},
-           {equilibrium + "[0.25,0.2,0.125,0.1] --set expect.l2=0.5", "above", "inconclusive", 1},
-           {column, "too-few-levels", "too-few-levels", 1},
+           {plate + two_levels, "too-few-levels", "inconclusive", 1},
+           {plate + four_levels + " --set expect.l2=4", "fail", "fail", 1},
+           {plate + four_levels + " --set expect.l2=1", "above", "inconclusive", 1},
+           {lattice + two_levels, "too-few-levels", "inconclusive", 1},
+           {lattice + four_levels, "pass", "pass", 0},
+           {lattice + four_levels + " --set expect.l2=4", "fail", "fail", 1},
+           {lattice + four_levels + " --set expect.l2=0.5", "above", "inconclusive", 1},
+           {column + two_levels, "too-few-levels", "too-few-levels", 1},
            {"operators " + studies + "operators.toml --set study.spacings=[0.1,0.05]", "too-few-levels",
-            "too-few-levels", 1}})
+            "too-few-levels", 1},
+           {"operators " + studies + "operators.toml --set study.spacings=[0.1,0.0625,0.05,0.04]",
+            "asymptotic", "undeclared", 0}})
     check(one);
 }
 
