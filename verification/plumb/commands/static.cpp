@@ -26,7 +26,7 @@ Json level_json(const mms::StaticLevel& level) {
   Json row{
       {"n", level.n}, {"d", level.d}, {"l2", level.l2}, {"h1", level.h1}, {"stress_l2", level.stress_l2}};
   if (level.frequency_error) row["frequency_error"] = *level.frequency_error;
-  if (level.compatible) {
+  if (level.compatible && !level.compatible->closed_form) {
     row["divergence_defect"] = level.compatible->divergence_defect;
     row["residual"] = level.compatible->residual;
   }
