@@ -127,8 +127,10 @@ void project_compatible(BondOptions<d>& options, const CompatibleOptions<d>& how
   const double h = options.smoothing_length;
   options.project = [=](Cloud<d>& cloud, const Neighbours&,
                         std::vector<std::vector<BondConstants<d>>>& bonds) {
-    const CompatibleReport found = make_compatible<d>(cloud, bonds, kernel, h, how);
-    if (report) *report = found;
+    CompatibleReport found = make_compatible<d>(cloud, bonds, kernel, h, how);
+    if (!report) return;
+    found.why_projected = report->why_projected;
+    *report = found;
   };
 }
 

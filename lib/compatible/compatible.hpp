@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "plumbline/compatible/boundary_vectors.hpp"
 #include "plumbline/compatible/least_change.hpp"
@@ -23,8 +24,10 @@ struct CompatibleOptions {
   std::filesystem::path cache;  ///< folder of tables that were projected before; empty: none is kept
 };
 
-/// What the projection found and did.
+/// How a compatible table was made: known in closed form, or projected.
 struct CompatibleReport {
+  bool closed_form = false;          ///< lattice_closure.hpp; then nothing below is found
+  std::string why_projected;         ///< why not, as the end of a sentence; empty if it was asked for
   double divergence_defect = 0;      ///< of the boundary vectors before their correction, relative
   double divergence_remainder = 0;   ///< and after it
   double start_residual = 0;         ///< largest violation of a constraint by the start table, in spacings

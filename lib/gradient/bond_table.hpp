@@ -30,7 +30,9 @@ struct BondOptions {
   RadialKernel<d> kernel;
   double smoothing_length;  ///< h [m]
   Pair pair;
-  StencilFunction<d> estimator;
+  /// Constants c_ij of one particle: an estimator of the catalogue, or one that knows more than the
+  /// neighbourhood (lattice_closure.hpp).
+  std::function<std::vector<Vec<d>>(Neighbourhood<d>, const CorrectedKernel<d>&)> estimator;
   MomentumWeights<d> momentum;
   bool laplacian = false;        ///< weights of the corrected Laplacian (27), (28) for JST
   double laplacian_factor = 2;   ///< phi = -factor W'/r; 2 is the consistent one, 1 probably the paper's

@@ -41,6 +41,9 @@ std::vector<std::string> gradient_names() {
   return names;
 }
 
+std::vector<std::string> compatible_table_names() {
+  return {"auto", "closed-form", "projected"};
+}
 std::vector<std::string> start_table_names() {
   return {"standard", "improved"};
 }

@@ -13,6 +13,8 @@ std::vector<std::string> pair_names();
 /// Estimators fit for a run: all but the plain bond one, which does not converge, and "compatible" (a
 /// projected table).
 std::vector<std::string> gradient_names();
+/// How the table of "compatible" may be made.
+std::vector<std::string> compatible_table_names();
 /// Estimators whose table can be made compatible.
 std::vector<std::string> start_table_names();
 /// The forms of the catalogue, and "variational" (the adjoint one, corrected).

@@ -30,9 +30,18 @@ Compatible read_compatible(const Section& root, const Method& method) {
   if (method.gradient != "compatible")
     section->fail("", fmt::format("contradicts gradient = \"{}\"", method.gradient),
                   "it says how the table of gradient = \"compatible\" is made", "leave one of them out");
+  compatible.table = section->choice_or("table", compatible.table, compatible_table_names());
   compatible.start = section->choice_or("start", compatible.start, start_table_names());
   compatible.volumes = section->choice_or("volumes", compatible.volumes, compatible_volume_names());
   compatible.surface = section->choice_or("surface", compatible.surface, compatible_surface_names());
+  if (compatible.table == "closed-form" && compatible.surface == "estimated")
+    section->fail("table", "\"closed-form\" contradicts surface = \"estimated\"",
+                  "the closed form ends at the faces of the box", "leave one of them out");
+  if (compatible.table == "closed-form" && method.momentum != "adjoint")
+    section->fail("table", fmt::format("\"closed-form\" contradicts momentum = \"{}\"", method.momentum),
+                  "its bonds within a face are not antisymmetric, so that only the adjoint form passes the "
+                  "patch test",
+                  "use momentum = \"adjoint\" or table = \"projected\"");
   if (section->has("cache")) compatible.cache = section->text("cache");
   section->reject_unknown();
   return compatible;

@@ -58,19 +58,22 @@ struct MaterialChoice {
 
 /// [compatible]: how the table of gradient = "compatible" is made (THEORY chapter 11).
 struct Compatible {
-  std::string start = "improved";   ///< standard | improved: the table that is projected
+  std::string table = "auto";       ///< auto | closed-form | projected: closed form wherever there is one
+  std::string start = "improved";   ///< standard | improved: the table that is projected, or whose weights
+                                    ///< inside of a lattice are closed at its faces
   std::string volumes = "unknown";  ///< unknown | fixed: volumes found with the area vectors, or Voronoi's
   std::string surface = "shape";    ///< shape | estimated: the body's own, or one guessed from the particles
   std::string cache;                ///< folder of tables that were projected before; empty: none is kept
 };
 
-/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The defaults
-/// are the ones method.md proposes for users: the adjoint force needs no dissipation to be stable, so
-/// velocity Verlet with one evaluation a step serves. Paper mode is symmetrised, rk3 and a [jst] section.
+/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The adjoint force needs
+/// no dissipation to be stable, so velocity Verlet with one evaluation a step serves. A scene that was read always has
+/// a gradient and a beta that suit its body (read_method()); those here are for scenes that are put together in code.
 struct Method {
+  std::string paper;  ///< "000": keys that are not given are those of that paper; empty: of no paper
   std::string kernel = "cubic";
-  double beta = 0.9;        ///< h/d: the least neighbours with no near-zero modes (method.md, section 1)
-  std::string pair = "W1";  ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
+  double beta = 0.9;                  ///< h/d: the least neighbours with no near-zero modes
+  std::string pair = "W1";            ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
   std::string gradient = "improved";  ///< standard | improved | bond38 | compatible
   Compatible compatible;              ///< of gradient = "compatible" only
   std::string momentum =

@@ -11,6 +11,7 @@
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/geometry/clipped_cells.hpp"
 #include "plumbline/scene/actions_of_scene.hpp"
+#include "plumbline/scene/compatible_table.hpp"
 #include "plumbline/scene/warnings.hpp"
 #include "plumbline/solid/part_site.hpp"
 
@@ -98,22 +99,6 @@ StepControl step_control(const Scene& scene) {
   return control;
 }
 
-bool needs_surface(const Method& method) {
-  return method.gradient == "compatible" || method.momentum == "variational";
-}
-
-template <int d>
-std::shared_ptr<CompatibleReport> make_it_compatible(BondOptions<d>& options, const Compatible& compatible,
-                                                     const Surface<d>& surface) {
-  CompatibleOptions<d> how;
-  if (compatible.volumes == "fixed") how.volume_weight = 0;
-  how.cache = compatible.cache;
-  how.surface = [surface](const Cloud<d>&) { return surface; };
-  auto report = std::make_shared<CompatibleReport>();
-  project_compatible(options, how, report);
-  return report;
-}
-
 /// The surface that the particles themselves suggest; their volumes become those of the cells that it cuts.
 template <int d>
 Surface<d> guess_surface(Cloud<d>& cloud) {
@@ -163,7 +148,7 @@ template <int d>
 Simulation<d> make_simulation(const Scene& scene) {
   Cloud<d> cloud = make_cloud<d>(scene.body);
   std::optional<Surface<d>> surface;
-  if (needs_surface(scene.method) && scene.method.compatible.surface == "shape")
+  if (needs_surface<d>(scene, cloud) && scene.method.compatible.surface == "shape")
     surface = surface_of<d>(scene.body, cloud);
   return make_simulation<d>(scene, std::move(cloud), surface);
 }
@@ -174,7 +159,7 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   Simulation<d> simulation;
   std::vector<std::string> warnings;
-  if (needs_surface(scene.method) && !surface) {
+  if (needs_surface<d>(scene, cloud) && !surface) {
     surface = guess_surface(cloud);
     warnings.push_back(
         fmt::format("the surface is estimated from the particles, at about half a spacing beyond them: "
@@ -182,7 +167,7 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
                     surface->volume, d));
   }
   if (scene.method.gradient == "compatible")
-    simulation.compatible = make_it_compatible(options, scene.method.compatible, *surface);
+    simulation.compatible = make_it_compatible<d>(options, scene, cloud, surface);
   if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
   simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
   if (simulation.compatible && simulation.compatible->largest_change > large_change)

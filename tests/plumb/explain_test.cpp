@@ -49,6 +49,22 @@ TEST(Explain, NamesThePartsWithTheirEquations) {
   EXPECT_EQ(about(other, "hourglass")["theory"], "THEORY (12.1), (12.2)");
 }
 
+// Which compatible table it is, why, and what it takes before that is spent.
+TEST(Explain, SaysHowACompatibleTableIsMade) {
+  const std::string small = "--set 'body.particles=[3, 3, 13]' ";
+  const json closed = explained("twisting-column-105-compatible", small + "--set body.jitter=0");
+  EXPECT_EQ(closed["compatible"]["table"], "closed-form");
+  EXPECT_EQ(about(closed, "gradient")["theory"], "THEORY (11.9)-(11.12)");
+  const json projected = explained("twisting-column-105-compatible", small);
+  EXPECT_EQ(projected["compatible"]["table"], "projected");
+  EXPECT_GT(projected["compatible"]["expected_cpu_s"], 0);
+  EXPECT_NE(about(projected, "gradient")["text"].get<std::string>().find("because the particles are no"),
+            std::string::npos);
+  const auto text = run_plumb(
+      "explain " PLUMBLINE_SOURCE_DIR "/verification/scenes/twisting-column-105-compatible.toml " + small);
+  EXPECT_TRUE(text.out.starts_with("Set-up: the table is projected")) << text.out;
+}
+
 /// All equations that any scene's explanation cites stand in THEORY.
 TEST(Explain, CitesEquationsThatExist) {
   const auto theory = test::content_of(PLUMBLINE_SOURCE_DIR "/lib/THEORY.md");

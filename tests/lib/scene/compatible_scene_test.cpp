@@ -37,6 +37,40 @@ TEST(CompatibleScene, IsBuiltWithEitherMomentumFormAndEitherTreatmentOfVolumes) 
       }
 }
 
+/// Whether the table is the closed form, with these changes of a square of nodes.
+bool is_closed(const std::vector<std::string>& changes) {
+  std::vector<std::string> all{"body.jitter=0"};
+  all.insert(all.end(), changes.begin(), changes.end());
+  const auto simulation = make_simulation<2>(parse_scene(scene_with("compatible"), "test.toml", all));
+  const CompatibleReport& report = *simulation.compatible;
+  EXPECT_EQ(report.closed_form, report.why_projected.empty());
+  EXPECT_EQ(report.closed_form, report.unknowns == 0);
+  return report.closed_form;
+}
+
+// The closed form wherever there is one; the projection of a lattice by its name.
+TEST(CompatibleScene, ChoosesTheClosedFormOfLattices) {
+  EXPECT_TRUE(is_closed({}));
+  EXPECT_TRUE(is_closed({"compatible.start=standard", "method.pair=W0", "hourglass.alpha=1"}));
+  EXPECT_TRUE(is_closed({"compatible.table=closed-form"}));
+  EXPECT_FALSE(is_closed({"compatible.table=projected"}));
+  EXPECT_FALSE(is_closed({"body.jitter=0.1"}));
+  EXPECT_FALSE(is_closed({"body.layout=cell"}));
+  EXPECT_FALSE(is_closed({"body.cloud=blue-noise", "method.beta=1.2"}));
+  EXPECT_FALSE(is_closed({"method.beta=1.2"}));
+  EXPECT_FALSE(is_closed({"method.momentum=symmetrised"}));
+  EXPECT_FALSE(is_closed({"compatible.surface=estimated"}));
+}
+
+TEST(CompatibleScene, RefusesTheClosedFormWhereThereIsNone) {
+  for (const char* change : {"body.jitter=0.1", "body.layout=cell", "method.beta=1.2"})
+    EXPECT_THROW(is_closed({"compatible.table=closed-form", change}), InputError) << change;
+  for (const char* change : {"method.momentum=symmetrised", "compatible.surface=estimated"})
+    EXPECT_THROW(parse_scene(scene_with("compatible"), "test.toml", {"compatible.table=closed-form", change}),
+                 InputError)
+        << change;
+}
+
 TEST(HourglassScene, LeavesNoTraceUnlessItIsNamed) {
   const auto without = make_simulation<2>(parse_scene(scene_with("compatible"), "test.toml"));
   EXPECT_TRUE(without.solid.terms.empty());

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "plumb/commands.hpp"
 #include "plumb/data_folder.hpp"
 #include "plumb/explain/account.hpp"
 #include "plumb/explain/cost.hpp"
+#include "plumb/explain/setup.hpp"
 #include "plumb/explain/tell.hpp"
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/scene_options.hpp"
@@ -105,8 +107,11 @@ Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& si
 
 template <int d>
 int explain(const Session& session, const Scene& scene, const std::string& shows) {
+  const auto projection = projection_cost<d>(scene, make_cloud<d>(scene.body));
+  session.text() << text_of(projection) << std::flush;  // before it is spent
   Simulation<d> simulation = make_simulation<d>(scene);
-  const Json json = explanation(scene, shows, simulation);
+  Json json = explanation(scene, shows, simulation);
+  if (projection) json["compatible"]["expected_cpu_s"] = projection->cpu_s;
   tell(session.text(), json);
   if (simulation.compatible)
     session.text() << wrapped(compatible_text(simulation.compatible.get()),

@@ -31,7 +31,7 @@ Json level_json(const mms::StaticLevel& level) {
     row[fmt::format("relative_{}", norm.name)] = level.relative(norm.value);
   for (const mms::NormName& norm : mms::static_norms()) row[std::string(norm.name)] = level.error.*norm.value;
   if (level.frequency_error) row["frequency_error"] = *level.frequency_error;
-  if (level.compatible) {
+  if (level.compatible && !level.compatible->closed_form) {
     row["divergence_defect"] = level.compatible->divergence_defect;
     row["residual"] = level.compatible->residual;
   }

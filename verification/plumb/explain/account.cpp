@@ -69,13 +69,20 @@ Statement correction_of(const Scene& scene) {
           "THEORY (2.4), (2.6)"};
 }
 
-Statement gradient_of(const Scene& scene) {
-  if (scene.method.gradient != "compatible") return about("gradient", scene.method.gradient, "", "(3.1)");
-  return {
-      "gradient",
-      fmt::format("compatible: area vectors nearest to the {} table that are closed and exact, volumes {}",
-                  scene.method.compatible.start, scene.method.compatible.volumes),
-      "THEORY (11.1), (11.4)"};
+Statement gradient_of(const Scene& scene, const CompatibleReport* compatible) {
+  if (!compatible) return about("gradient", scene.method.gradient, "", "(3.1)");
+  const auto& how = scene.method.compatible;
+  if (compatible->closed_form)
+    return {"gradient",
+            fmt::format("compatible: the {} table of an infinite lattice, closed at the faces by summation "
+                        "by parts; nothing is solved at set-up",
+                        how.start),
+            "THEORY (11.9)-(11.12)"};
+  return {"gradient",
+          fmt::format("compatible: area vectors nearest to the {} table that are closed and exact, volumes "
+                      "{}; projected at set-up, because {}",
+                      how.start, how.volumes, compatible->why_projected),
+          "THEORY (11.1), (11.4)"};
 }
 
 Statement loads_of(const LoadOptions& load) {
@@ -172,7 +179,7 @@ std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simul
             fmt::format("h = {:.4g} m, beta = {:g}, so it reaches {:.3g} spacings",
                         simulation.solid.smoothing_length, scene.method.beta, support * scene.method.beta)));
   all.push_back(correction_of(scene));
-  all.push_back(gradient_of(scene));
+  all.push_back(gradient_of(scene, simulation.compatible.get()));
   all.push_back(about("momentum", scene.method.momentum, "", "(5.1)"));
   for_each_part(scene.method, [&]<class Part>(const std::optional<Part>& part) {
     if (part) all.push_back({std::string(Part::subject), part->in_words(), std::string(Part::theory)});

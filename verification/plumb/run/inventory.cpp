@@ -49,7 +49,10 @@ Parts parts_of(const Scene& scene, const Simulation<d>& simulation) {
 
 nlohmann::ordered_json compatible_json(const CompatibleReport* report) {
   if (!report) return nullptr;
-  return {{"unknowns", report->unknowns},
+  if (report->closed_form) return {{"table", "closed-form"}};
+  return {{"table", "projected"},
+          {"why_projected", report->why_projected},
+          {"unknowns", report->unknowns},
           {"divergence_defect", report->divergence_defect},
           {"divergence_remainder", report->divergence_remainder},
           {"start_residual", report->start_residual},
@@ -63,6 +66,7 @@ nlohmann::ordered_json compatible_json(const CompatibleReport* report) {
 
 std::string compatible_text(const CompatibleReport* report) {
   if (!report) return "";
+  if (report->closed_form) return "compatible table: closed form, nothing was solved\n";
   return fmt::format(
       "compatible table: boundary vectors miss the divergence theorem by {:.2g} of the volume, corrected to "
       "{:.1g}; "

@@ -1,0 +1,296 @@
+// Compatible bonds of node lattices in closed form: interior weights, exact identities, every weight against
+// matrices that are multiplied out, shared rows. THEORY (11.9)-(11.12).
+#include "plumbline/compatible/lattice_closure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/material/models/neo_hookean.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/compatible.hpp"
+#include "tests/support/typed.hpp"
+
+namespace plumb {
+namespace {
+
+template <int d>
+Cloud<d> node_lattice(const std::array<Index, d>& cells, double spacing = 0.2) {
+  Box<d> box;
+  for (int k = 0; k < d; ++k) {
+    box.origin[k] = -0.7 + 0.9 * k;
+    box.size[k] = static_cast<double>(cells[k]) * spacing;
+  }
+  return lattice<d>(box, cells, Layout::node);
+}
+
+/// Bodies of unequal sides: with and without an inside.
+template <int d>
+std::vector<Cloud<d>> bodies() {
+  if constexpr (d == 2)
+    return {node_lattice<2>({7, 5}), node_lattice<2>({1, 6}), node_lattice<2>({2, 1})};
+  else
+    return {node_lattice<3>({5, 4, 6}), node_lattice<3>({1, 4, 2}), node_lattice<3>({1, 1, 1})};
+}
+
+template <int d>
+BondOptions<d> closed_options(const Cloud<d>& cloud, const testing::Scheme& scheme = {}) {
+  BondOptions<d> options = testing::options<d>(scheme, cloud.spacing);
+  close_on_lattice<d>(options, cloud);
+  return options;
+}
+
+/// Place of a particle along every axis.
+template <int d>
+std::array<Index, d> place_of(const Cloud<d>& cloud, Index i) {
+  std::array<Index, d> place;
+  for (int k = 0; k < d; ++k) place[k] = i / cloud.stride[k] % cloud.count[k];
+  return place;
+}
+
+/// The outward area of the box nearest to a node [m^(d-1)].
+template <int d>
+Vec<d> share_of_surface(const Cloud<d>& cloud, Index i) {
+  Vec<d> B = Vec<d>::Zero();
+  const auto place = place_of(cloud, i);
+  for (int k = 0; k < d; ++k) {
+    B[k] = place[k] == 0 ? -1 : place[k] == cloud.count[k] - 1 ? 1 : 0;
+    for (int m = 0; m < d; ++m)
+      if (m != k) B[k] *= cloud.spacing * (place[m] == 0 || place[m] == cloud.count[m] - 1 ? 0.5 : 1);
+  }
+  return B;
+}
+
+template <class Case>
+class LatticeClosureLaws : public ::testing::Test {};
+using Kinds = ::testing::Types<test::In<test::Plain, 2>, test::In<test::Plain, 3>>;
+TYPED_TEST_SUITE(LatticeClosureLaws, Kinds, test::Names);
+
+struct InteriorWeights {
+  const char* estimator;
+  Pair pair;
+  double beta, once, twice;
+};
+
+// Verified: an independent evaluation of kernel, correction and estimator, to the digits that are given.
+TEST(LatticeClosure, HasTheInteriorWeightsOfItsStartTable) {
+  const auto expect = [](auto dimension, const std::vector<InteriorWeights>& all) {
+    constexpr int d = dimension;
+    const Cloud<d> cloud = bodies<d>()[0];
+    for (const auto& w : all) {
+      const auto closure = lattice_closure<d>(
+          cloud,
+          testing::options<d>({.estimator = w.estimator, .pair = w.pair, .beta = w.beta}, cloud.spacing));
+      for (int k = 0; k < d; ++k) {
+        EXPECT_NEAR(closure.step[k], cloud.spacing, 1e-15);
+        for (int m = 0; m < d; ++m)
+          EXPECT_NEAR(closure.averaging[k].once[m], m == k ? 0 : w.once, 1e-12) << w.estimator << w.beta;
+        EXPECT_NEAR(closure.averaging[k].twice, w.twice, 1e-12) << w.estimator << w.beta;
+      }
+    }
+  };
+  expect(std::integral_constant<int, 2>{}, {{"standard", Pair::W1, 0.9, 0.123179562064, 0},
+                                            {"standard", Pair::W0, 0.9, 0.123741474095, 0},
+                                            {"improved", Pair::W1, 0.9, 0.107224742977, 0},
+                                            {"improved", Pair::W0, 0.9, 0.107663442559, 0},
+                                            {"standard", Pair::W1, 0.75, 0.015689725875, 0},
+                                            {"standard", Pair::W0, 0.75, 0.019983361629, 0},
+                                            {"standard", Pair::W1, 1.0, 0.163607888294, 0},
+                                            {"standard", Pair::W0, 1.0, 0.163363448386, 0},
+                                            {"standard", Pair::W1, 0.6, 0, 0}});
+  expect(std::integral_constant<int, 3>{}, {{"standard", Pair::W1, 0.9, 0.102244164302, 0.002410289216},
+                                            {"standard", Pair::W0, 0.9, 0.103180982930, 0.002487521344},
+                                            {"improved", Pair::W1, 0.9, 0.091699918376, 0.001988916133},
+                                            {"standard", Pair::W1, 0.6, 0, 0}});
+}
+
+// The same sums in another order: the stencil inside is that of the start table.
+TYPED_TEST(LatticeClosureLaws, LeavesTheInsideAsItIs) {
+  constexpr int d = TypeParam::d;
+  for (const char* estimator : {"standard", "improved"})
+    for (const double beta : {0.75, 0.9, 1.0}) {
+      const Cloud<d> cloud = bodies<d>()[0];
+      const testing::Scheme scheme{.estimator = estimator, .beta = beta};
+      const auto closed = testing::all_bonds<d>(cloud, closed_options<d>(cloud, scheme)),
+                 start = testing::all_bonds<d>(cloud, testing::options<d>(scheme, cloud.spacing));
+      Index inside = 0;
+      for (Index i = 0; i < cloud.size(); ++i) {
+        const auto place = place_of(cloud, i);
+        bool near = false;  // a neighbour of a face has a neighbour with another volume
+        for (int k = 0; k < d; ++k) near = near || place[k] < 2 || place[k] > cloud.count[k] - 3;
+        if (near) continue;
+        ++inside;
+        for (std::size_t n = 0; n < closed[i].size(); ++n)
+          EXPECT_LT((closed[i][n].stencil - start[i][n].stencil).norm() * cloud.spacing, 1e-13);
+      }
+      EXPECT_GT(inside, 0);
+    }
+}
+
+// Affine maps are exact, and a uniform stress leaves the boundary's area and nothing else.
+TYPED_TEST(LatticeClosureLaws, IsExactAndClosed) {
+  constexpr int d = TypeParam::d;
+  for (const auto& cloud : bodies<d>())
+    for (const char* estimator : {"standard", "improved"})
+      for (const double beta : {0.6, 0.75, 0.9, 1.0}) {
+        SCOPED_TRACE(std::string(estimator) + ", beta " + std::to_string(beta));
+        const testing::Scheme scheme{.estimator = estimator, .beta = beta};
+        const auto bonds = testing::all_bonds<d>(cloud, closed_options<d>(cloud, scheme));
+        std::vector<Vec<d>> closed(cloud.size(), Vec<d>::Zero());
+        for (Index i = 0; i < cloud.size(); ++i) {
+          Mat<d> exact = -Mat<d>::Identity();
+          for (const auto& ij : bonds[i]) {
+            exact += ij.separation * ij.stencil.transpose();
+            closed[i] -= cloud.V[i] * ij.stencil;
+            closed[ij.other] += cloud.V[i] * ij.stencil;
+          }
+          EXPECT_LT(exact.norm(), 1e-14) << i;  // some ten terms of order 1
+        }
+        const double area = std::pow(cloud.spacing, d - 1);
+        for (Index i = 0; i < cloud.size(); ++i)
+          EXPECT_LT((closed[i] - share_of_surface(cloud, i)).norm(), 1e-14 * area) << i;
+      }
+}
+
+using Dense = Eigen::MatrixXd;
+
+/// (11.9) for n particles, as matrices.
+struct Line {
+  Dense difference, averaged_once, identity;
+};
+Line line_of(Index n, double step) {
+  Dense D = Dense::Zero(n, n), S = Dense::Zero(n, n), H = step * Dense::Identity(n, n);
+  for (Index i = 0; i + 1 < n; ++i) {  // sum of the parts of all cells
+    D(i, i) -= 0.5;
+    D(i, i + 1) += 0.5;
+    D(i + 1, i) -= 0.5;
+    D(i + 1, i + 1) += 0.5;
+    S(i, i) -= 1;
+    S(i, i + 1) += 1;
+    S(i + 1, i) += 1;
+    S(i + 1, i + 1) -= 1;
+  }
+  H(0, 0) = H(n - 1, n - 1) = 0.5 * step;
+  return {H.inverse() * D, step * H.inverse() * S, Dense::Identity(n, n)};
+}
+
+/// c_k(i, j) of all pairs as a product of matrices, one for every axis.
+template <int d>
+double product(const Cloud<d>& cloud, const std::array<const Dense*, d>& factor, Index i, Index j) {
+  double value = 1;
+  const auto at = place_of(cloud, i), to = place_of(cloud, j);
+  for (int k = 0; k < d; ++k) value *= (*factor[k])(at[k], to[k]);
+  return value;
+}
+
+// Every weight against products of matrices that are put together cell by cell.
+TYPED_TEST(LatticeClosureLaws, EqualsProductsOfDifferencesAndAverages) {
+  constexpr int d = TypeParam::d;
+  for (const auto& cloud : bodies<d>()) {
+    const auto scheme = testing::Scheme{.estimator = "standard"};
+    const auto closure = lattice_closure<d>(cloud, testing::options<d>(scheme, cloud.spacing));
+    const auto bonds = testing::all_bonds<d>(cloud, closed_options<d>(cloud, scheme));
+    std::vector<Line> lines;
+    for (int k = 0; k < d; ++k) lines.push_back(line_of(cloud.count[k], cloud.spacing));
+    double wrong = 0;
+    for (Index i = 0; i < cloud.size(); ++i)
+      for (const auto& ij : bonds[i])
+        for (int k = 0; k < d; ++k) {
+          std::array<const Dense*, d> factor;
+          for (int m = 0; m < d; ++m) factor[m] = m == k ? &lines[m].difference : &lines[m].identity;
+          double expected = product<d>(cloud, factor, i, ij.other);
+          for (int m = 0; m < d; ++m) {
+            if (m == k) continue;
+            auto once = factor;
+            once[m] = &lines[m].averaged_once;
+            expected += closure.averaging[k].once[m] * product<d>(cloud, once, i, ij.other);
+          }
+          if (d == 3) {
+            for (int m = 0; m < d; ++m)
+              if (m != k) factor[m] = &lines[m].averaged_once;
+            expected += closure.averaging[k].twice * product<d>(cloud, factor, i, ij.other);
+          }
+          wrong = std::max(wrong, std::abs(ij.stencil[k] - expected) * cloud.spacing);
+        }
+    EXPECT_LT(wrong, 1e-14);
+  }
+}
+
+// In motion: affine at finite strain, with the loops of lattices.
+TYPED_TEST(LatticeClosureLaws, PassesThePatchTest) {
+  constexpr int d = TypeParam::d;
+  test::Numbers numbers(8);
+  const Mat<d> A = Mat<d>::Identity() + 0.3 * numbers.matrix<d>();
+  const Cloud<d> cloud = bodies<d>()[0];
+  Solid<d> solid = make_solid<d>(cloud, "neo-hookean", testing::rubber, closed_options<d>(cloud));
+  State<d> state = make_state(solid);
+  for (Index i = 0; i < cloud.size(); ++i)
+    set_vector<d>(state.u, solid.bonds.slots.of(i), (A - Mat<d>::Identity()) * cloud.X[i]);
+  const auto f = testing::forces(solid, state);
+  const Mat<d> P = NeoHookean(testing::rubber).first_piola(A);
+  const double size = P.norm() * std::pow(cloud.spacing, d - 1);
+  for (Index i = 0; i < cloud.size(); ++i) {
+    EXPECT_LT((deformation_gradient_of(solid, state, i) - A).norm(), 1e-13);
+    EXPECT_LT((cloud.V[i] * f[i] + P * share_of_surface(cloud, i)).norm() / size, 1e-12);
+  }
+}
+
+TYPED_TEST(LatticeClosureLaws, TheForceIsTheAdjointAndKeepsMomenta) {
+  constexpr int d = TypeParam::d;
+  const Cloud<d> cloud = bodies<d>()[0];
+  Solid<d> solid = make_solid<d>(cloud, "neo-hookean", testing::rubber, closed_options<d>(cloud));
+  State<d> state = make_state(solid), along = make_state(solid);
+  testing::deform(solid, state, 0.15);
+  const auto f = testing::forces(solid, state);
+  test::Numbers numbers(11);
+  double of_force = 0, of_stress = 0, size = 0;
+  Vec<d> sum = Vec<d>::Zero();
+  Mat<d> torque = Mat<d>::Zero();
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Vec<d> w = numbers.vector<d>(), x = position_of(solid, state, i), F = cloud.V[i] * f[i];
+    set_vector<d>(along.u, solid.bonds.slots.of(i), w);
+    of_force += F.dot(w);
+    size += F.norm();
+    sum += F;
+    torque += x * F.transpose() - F * x.transpose();
+  }
+  const NeoHookean material(testing::rubber);
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Mat<d> P = material.first_piola(deformation_gradient_of(solid, state, i));
+    const Mat<d> rate = deformation_gradient_of(solid, along, i) - Mat<d>::Identity();
+    of_stress += cloud.V[i] * P.cwiseProduct(rate).sum();
+  }
+  EXPECT_NEAR(of_force, -of_stress, 1e-12 * size);
+  EXPECT_GT(std::abs(of_stress), 1e-5 * size);
+  EXPECT_LT(sum.norm(), 1e-13 * size);
+  EXPECT_LT(torque.norm(), 1e-13 * size);
+}
+
+// Rows repeat as those of the start table do, so that a lattice of any size has some tens of them.
+TYPED_TEST(LatticeClosureLaws, RowsRepeatAndTakeNoMoreThanTheStartTable) {
+  constexpr int d = TypeParam::d;
+  Cloud<d> closed = testing::block<d>(d == 2 ? 60 : 24, Layout::node, 0), start = closed;
+  const auto table = make_bond_table<d>(closed, closed_options<d>(closed));
+  const auto other = make_bond_table<d>(start, testing::options<d>({}, start.spacing));
+  EXPECT_LE(table.rows(), other.rows());
+  EXPECT_LE(table.bytes(), other.bytes());
+  EXPECT_EQ(table.pairs, other.pairs);
+  EXPECT_EQ(closed.V, start.V);
+}
+
+TEST(LatticeClosure, IsNotKnownForOtherClouds) {
+  const Cloud<2> node = test::small_lattice<2>(Layout::node);
+  const double d = node.spacing;
+  EXPECT_EQ(reason_against_closure<2>(node, 1.8 * d), std::nullopt);
+  EXPECT_EQ(reason_against_closure<2>(node, 2 * d), std::nullopt);
+  EXPECT_NE(reason_against_closure<2>(node, 2.001 * d), std::nullopt);
+  EXPECT_NE(reason_against_closure<2>(test::small_lattice<2>(Layout::cell), 1.8 * d), std::nullopt);
+  EXPECT_NE(reason_against_closure<2>(jittered<2>(node, 0.1, 1, Layout::node), 1.8 * d), std::nullopt);
+  Cloud<2> bitten = node;
+  bitten.X.pop_back();
+  EXPECT_NE(reason_against_closure<2>(bitten, 1.8 * d), std::nullopt);
+  BondOptions<2> options = testing::options<2>({.estimator = "bond38"}, d);
+  EXPECT_THROW(lattice_closure<2>(node, options), InputError);
+}
+
+}  // namespace
+}  // namespace plumb
