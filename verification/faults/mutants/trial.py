@@ -21,11 +21,6 @@ class Test:
     reaches: frozenset = frozenset()
 
 
-def programs_of(build):
-    return sorted(str(p.relative_to(build)) for p in (build / "tests").glob("tests_*") if p.is_file() and os.access(p, os.X_OK)) + \
-        ["verification/studies/studies"]
-
-
 def list_tests(build, program):
     """Names of the tests of a program, without those marked as long."""
     if program.endswith("studies"):

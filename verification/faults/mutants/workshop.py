@@ -18,8 +18,8 @@ def write_if_new(path, text):
 
 
 class Workshop:
-    def __init__(self, root, place, jobs):
-        self.root, self.place, self.jobs = root, place, jobs
+    def __init__(self, root, place, jobs, skip=()):
+        self.root, self.place, self.jobs, self.skip = root, place, jobs, skip
         self.build = place / "build/release"
 
     def files(self):
@@ -59,7 +59,11 @@ class Workshop:
     def targets(self):
         rooms = {p.relative_to(self.root / "tests").parts for p in (self.root / "tests").rglob("*_test.cpp")}
         names = {"tests_" + "_".join(r[:2] if r[0] == "lib" else r[:1]) for r in rooms}
-        return sorted(names - {"tests_fuzz"}) + ["plumb", "studies"]
+        return [n for n in [*sorted(names - {"tests_fuzz"}), "studies", "plumb"] if n not in self.skip]
+
+    def programs(self):
+        """Test programs, relative to the build folder."""
+        return [f"verification/studies/{n}" if n == "studies" else f"tests/{n}" for n in self.targets() if n != "plumb"]
 
     def make(self, mutants, tell):
         """Builds; mutants that do not compile are taken out until the rest does. Returns those that were left out."""
