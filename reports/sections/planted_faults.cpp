@@ -15,6 +15,41 @@ using Json = nlohmann::ordered_json;
 
 const std::string score_file = "verification/faults/score.json";
 
+const std::string sample_file = "verification/faults/sampled.json";
+
+/// Shares of a random sample by folder, all of it first.
+DataTable sample_table(const Json& sample) {
+  DataTable table{"sampled-faults",
+                  "A random sample of small slips: how many of them a test sees",
+                  {{"folder"},
+                   {"caught", "", 0},
+                   {"not seen", "", 0},
+                   {"share", "%", 1},
+                   {"from", "%", 1},
+                   {"to", "%", 1}},
+                  {},
+                  {"faults"}};
+  const auto add = [&](const std::string& name, const Json& row) {
+    if (row.at("share").is_null()) return;
+    table.rows.push_back({name, row.at("killed").get<double>(), row.at("alive").get<double>(),
+                          100 * row.at("share").get<double>(), 100 * row.at("interval").at(0).get<double>(),
+                          100 * row.at("interval").at(1).get<double>()});
+  };
+  add("in all", sample.at("all"));
+  for (const auto& row : sample.at("folders")) add(text(row, "folder"), row);
+  return table;
+}
+
+std::string sample_answer(const Json& sample) {
+  const Json& all = sample.at("all");
+  return fmt::format(
+      " Of slips drawn at random from the sources, {} of {} are seen: {:.0f} %, 95 % interval {:.0f} to "
+      "{:.0f} %.",
+      all.at("killed").get<int>(), all.at("killed").get<int>() + all.at("alive").get<int>(),
+      100 * all.at("share").get<double>(), 100 * all.at("interval").at(0).get<double>(),
+      100 * all.at("interval").at(1).get<double>());
+}
+
 Section write(const Results& results) {
   const Json score = results.json("faults");
   const Json& faults = score.at("faults");
@@ -56,13 +91,28 @@ Section write(const Results& results) {
                      {"faults"}};
   for (const auto& entry : by_program)
     programs.rows.push_back({entry.first, static_cast<double>(entry.second)});
-  s.tables = {programs, table};
-  s.notes = {
-      "Each fault is compiled into a copy of the library that is never installed; the test programs run "
-      "until one fails. "
-      "verification/faults/run repeats it; the table shows its stored score, made from " +
-          first + " to " + last + " at the commits named, not by this report.",
-      "The program named is the first that was tried and failed, not the only one that would."};
+  const Json& sample = score.at("sampled");
+  if (!sample.is_null() && !sample.at("all").at("share").is_null()) {
+    s.answer += sample_answer(sample);
+    s.tables.push_back(sample_table(sample));
+    s.notes.push_back(fmt::format(
+        "The random sample (verification/faults/sample, seed {}, commit {}) is a measurement, not a list "
+        "that tests were "
+        "written for: {} drawn, {} do not compile, {} are explained as equivalent and count in neither "
+        "column. Intervals are "
+        "Wilson's, 95 %.",
+        sample.at("seed").get<long>(), text(sample, "commit"), sample.at("all").at("sampled").get<int>(),
+        sample.at("all").at("not_compiled").get<int>(), sample.at("all").at("equivalent").get<int>()));
+  }
+  s.tables.push_back(programs);
+  s.tables.push_back(table);
+  s.notes.insert(
+      s.notes.begin(),
+      {"Each fault is compiled into a copy of the library that is never installed; the test programs run "
+       "until one fails. "
+       "verification/faults/run repeats it; the table shows its stored score, made from " +
+           first + " to " + last + " at the commits named, not by this report.",
+       "The program named is the first that was tried and failed, not the only one that would."});
   return s;
 }
 
@@ -70,7 +120,11 @@ Section write(const Results& results) {
 
 /// Faults planted into the code, and the tests that caught them.
 SectionPlan planted_faults(bool) {
-  return {820, "faults", "Planted faults", {{"faults", {"faults", score_file}, {score_file}}}, write};
+  return {820,
+          "faults",
+          "Planted faults",
+          {{"faults", {"faults", score_file, "--sampled", sample_file}, {score_file, sample_file}}},
+          write};
 }
 
 }  // namespace plumb::reports::sections

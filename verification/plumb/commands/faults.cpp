@@ -26,8 +26,42 @@ Json read_score(const std::string& file) {
   return score.at("faults");
 }
 
-int show(const Session& session, const std::string& file) {
-  const Json faults = read_score(file);
+/// What verification/faults/sample stored, without its list of mutants; null if there is no such file.
+Json read_sample(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) return nullptr;
+  Json sample = Json::parse(in, nullptr, false);
+  if (!sample.is_object() || !sample.contains("all"))
+    throw InputError(file + " is no score of a sample", "", "Run verification/faults/sample to make it.");
+  sample.erase("mutants");
+  return sample;
+}
+
+/// "lib/time: 9 of 12 caught, 75.0 % [46.8, 91.1]".
+std::string sample_line(const Json& row, const std::string& name) {
+  const int killed = row.at("killed").get<int>(), judged = killed + row.at("alive").get<int>();
+  std::string line = fmt::format("{:<22} {:>3} of {:>3} caught", name, killed, judged);
+  if (judged > 0)
+    line += fmt::format(", {:.1f} % [{:.1f}, {:.1f}]", 100 * row.at("share").get<double>(),
+                        100 * row.at("interval").at(0).get<double>(),
+                        100 * row.at("interval").at(1).get<double>());
+  return line + '\n';
+}
+
+void tell_sample(std::ostream& text, const Json& sample) {
+  const Json& all = sample.at("all");
+  text << fmt::format(
+      "\nA random sample of small slips in the sources, at commit {} (seed {}; {} drawn, {} do not compile, "
+      "{} "
+      "equivalent); shares with 95 % intervals:\n",
+      sample.at("commit").get<std::string>(), sample.at("seed").get<long>(), all.at("sampled").get<int>(),
+      all.at("not_compiled").get<int>(), all.at("equivalent").get<int>());
+  text << sample_line(all, "in all");
+  for (const auto& row : sample.at("folders")) text << sample_line(row, row.at("folder").get<std::string>());
+}
+
+int show(const Session& session, const std::string& file, const std::string& sample_file) {
+  const Json faults = read_score(file), sample = read_sample(sample_file);
   int caught = 0, equivalent = 0;
   Json rows = Json::array();
   for (const auto& fault : faults) {
@@ -49,10 +83,12 @@ int show(const Session& session, const std::string& file) {
   session.write_csv(rows);
   session.text() << fmt::format("{} of {} caught, {} equivalent, {} survived\n", caught, faults.size(),
                                 equivalent, survived);
+  if (!sample.is_null()) tell_sample(session.text(), sample);
   session.write_json({{"faults", faults},
                       {"caught", caught},
                       {"equivalent", equivalent},
                       {"survived", survived},
+                      {"sampled", sample},
                       {"status", survived == 0 ? "pass" : "fail"}});
   return survived == 0 ? 0 : 1;
 }
@@ -62,12 +98,15 @@ int show(const Session& session, const std::string& file) {
 /// `plumb faults`: the stored score of the planted faults.
 void add_faults(CLI::App& program, Session& session) {
   const auto file = std::make_shared<std::string>(PLUMBLINE_SOURCE_DIR "/verification/faults/score.json");
+  const auto sample = std::make_shared<std::string>(PLUMBLINE_SOURCE_DIR "/verification/faults/sampled.json");
   CLI::App& command = add_command(
       program, session,
       {"faults", "planted faults and the tests that caught them, as stored by verification/faults/run",
        "plumb faults --json -"},
-      {.table = true}, [&session, file] { return show(session, *file); });
+      {.table = true}, [&session, file, sample] { return show(session, *file, *sample); });
   command.add_option("score", *file, "score file")->capture_default_str();
+  command.add_option("--sampled", *sample, "score of a random sample, by verification/faults/sample")
+      ->capture_default_str();
 }
 
 }  // namespace plumb

@@ -1,0 +1,53 @@
+"""The score of a sample: the share of mutants that a test sees, with its interval, in all and by folder."""
+import json
+import math
+import tomllib
+
+
+def wilson(killed, number, z=1.959964):
+    """Wilson's score interval of a share, 95 %."""
+    if number == 0:
+        return None
+    share, square = killed / number, z * z
+    middle = (share + square / (2 * number)) / (1 + square / number)
+    half = z / (1 + square / number) * math.sqrt(share * (1 - share) / number + square / (4 * number * number))
+    return [round(max(0.0, middle - half), 4), round(min(1.0, middle + half), 4)]
+
+
+def folder_of(file):
+    """lib/<room>, and the first folder of the others."""
+    parts = file.split("/")
+    return "/".join(parts[:2]) if parts[0] == "lib" else parts[0]
+
+
+def equivalents(path):
+    """{(file, before, after): reason}"""
+    rows = tomllib.loads(path.read_text()).get("equivalent", []) if path.exists() else []
+    return {(r["file"], r["before"], r["after"]): r["reason"] for r in rows}
+
+
+def line(name, rows):
+    """Counts of one folder. The share is of those that a test could see."""
+    count = {s: sum(r["state"] == s for r in rows) for s in ("killed", "alive", "equivalent", "not compiled")}
+    judged = count["killed"] + count["alive"]
+    return {"folder": name, "sampled": len(rows), "killed": count["killed"], "alive": count["alive"], "equivalent": count["equivalent"],
+            "not_compiled": count["not compiled"], "share": round(count["killed"] / judged, 4) if judged else None,
+            "interval": wilson(count["killed"], judged)}
+
+
+def score(rows, about):
+    """All of it, as sampled.json holds it."""
+    folders = sorted({folder_of(r["file"]) for r in rows})
+    return about | {"all": line("all", rows), "folders": [line(f, [r for r in rows if folder_of(r["file"]) == f]) for f in folders],
+                    "mutants": rows}
+
+
+def merged(path, about, rows):
+    """The rows with those that an earlier call judged of the same sample."""
+    known = {}
+    if path.exists():
+        stored = json.loads(path.read_text())
+        if all(stored.get(k) == v for k, v in about.items() if k in ("seed", "count", "drawn_from")):
+            known = {r["number"]: r for r in stored["mutants"]}
+    known |= {r["number"]: r for r in rows}
+    return [known[n] for n in sorted(known)]
