@@ -7,7 +7,7 @@
 #include "plumbline/diagnostics/budget.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/models/neo_hookean.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/solids.hpp"
 

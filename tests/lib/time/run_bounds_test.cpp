@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

@@ -6,7 +6,7 @@
 
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/dissipation/jst.hpp"
-#include "plumbline/solid/run.hpp"
+#include "plumbline/run/run.hpp"
 #include "plumbline/time/closest_pairs.hpp"
 #include "plumbline/time/time_step.hpp"
 #include "tests/support/solids.hpp"

@@ -13,7 +13,7 @@
 #include "plumbline/convergence/outcome.hpp"
 #include "plumbline/convergence/verdict.hpp"
 #include "plumbline/core/error.hpp"
-#include "plumbline/scene/document.hpp"
+#include "plumbline/input/document.hpp"
 #include "reports/picture.hpp"
 
 namespace plumb {
