@@ -108,7 +108,8 @@ struct Motion {
     load.name = "load";
     load.second = [](const Solid<d>&, const Block& block, const State<d>&, double time,
                      BlockForce<d>& force) {
-      for (Index i = block.begin(); i < block.end(); ++i) force(1, i) += 2e6 * (1 + 3e4 * time) * (i % 3);
+      for (Index i = block.begin(); i < block.end(); ++i)
+        force(1, i) += 2e6 * (1 + 3e4 * time) * static_cast<double>(i % 3);
     };
     add_term(solid, load);
     state = make_state(solid);

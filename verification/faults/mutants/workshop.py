@@ -75,6 +75,8 @@ class Workshop:
                                   capture_output=True, text=True, errors="replace")
             if done.returncode == 0:
                 return left_out
+            if done.returncode < 0 or "interrupted by user" in done.stdout:
+                raise RuntimeError("the build of the copy was stopped; the same call goes on with it")
             wrong = culprits(done.stdout, {n: m for n, m in mutants.items() if n not in left_out})
             if not wrong:
                 (self.place / "build.log").write_text(done.stdout + done.stderr)

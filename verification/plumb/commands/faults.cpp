@@ -83,7 +83,7 @@ int show(const Session& session, const std::string& file, const std::string& sam
   session.write_csv(rows);
   session.text() << fmt::format("{} of {} caught, {} equivalent, {} survived\n", caught, faults.size(),
                                 equivalent, survived);
-  if (!sample.is_null()) tell_sample(session.text(), sample);
+  if (!sample.is_null() && sample.at("all").at("sampled") > 0) tell_sample(session.text(), sample);
   session.write_json({{"faults", faults},
                       {"caught", caught},
                       {"equivalent", equivalent},
