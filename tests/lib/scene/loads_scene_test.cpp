@@ -75,7 +75,9 @@ TEST(LoadsOfAScene, APrescribedDisplacementIsThereAtTheEnd) {
       EXPECT_DOUBLE_EQ(displacement(s, i)[0], 0.01 * std::sin(500 * s.state.time));
       EXPECT_DOUBLE_EQ(displacement(s, i)[1], 0.002 * X[1] * s.state.time / 0.002);
     }
-    if (X[0] < 1e-9) EXPECT_EQ(displacement(s, i).norm(), 0);
+    if (X[0] < 1e-9) {
+      EXPECT_EQ(displacement(s, i).norm(), 0);
+    }
   }
 }
 

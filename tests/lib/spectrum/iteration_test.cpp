@@ -34,7 +34,11 @@ Scene scene_of(const Body& body) {
   scene.method.pair = body.pair;
   scene.method.beta = body.beta;
   if (body.eta4 > 0) scene.method.jst = JstOptions{0, body.eta4};
-  if (body.clamped) scene.boundaries.push_back({.face = Face{0, -1}});
+  if (body.clamped) {
+    Boundary base;
+    base.face = Face{0, -1};
+    scene.boundaries.push_back(base);
+  }
   return scene;
 }
 
