@@ -49,7 +49,7 @@ void expect_drive(const char* name, double spacing, Layout layout, bool body_for
   for (const auto& f : with) size = std::max(size, f.norm());
   for (Index i = 0; i < cloud.size(); ++i) {
     const Vec<d>& X = cloud.X[i];
-    Vec<d> expected = without[i], at_i = X;
+    Vec<d> expected = without[i];
     if (body_force) expected += solution.body_force(X, t);
     std::array<bool, d> held{};
     Vec<d> motion = solution.motion(X, t).acceleration, u = solution.displacement(X, t),

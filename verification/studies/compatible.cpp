@@ -138,7 +138,8 @@ Scene spinning_cube(double time_step, long steps) {
   scene.method.time_step = time_step;
   scene.method.cfl = std::nullopt;
   scene.method.hourglass = HourglassOptions{0.5};
-  scene.initial = Initial{{}, std::array<double, 3>{0, 0, 105}};
+  scene.initial = Initial{};
+  scene.initial->spin = {0, 0, 105};
   return scene;
 }
 

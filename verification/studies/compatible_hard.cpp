@@ -36,7 +36,8 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
   std::vector<Expression> velocity = {Expression("1e-2*sin(9*X + 5*Y)", d),
                                       Expression("1e-2*sin(7*Y - 4*X)", d)};
   if (d == 3) velocity.emplace_back("1e-2*sin(8*Z + 3*X)", d);
-  scene.initial = Initial{velocity, {}};
+  scene.initial = Initial{};
+  scene.initial->velocity = velocity;
   return scene;
 }
 
