@@ -97,6 +97,8 @@ template <int d>
 std::shared_ptr<Loads<d>> make_loads(const Solid<d>& solid, const Actions<d>& actions) {
   auto made = std::make_shared<Loads<d>>();
   made->actions = actions;
+  made->actions.held.clear();
+  for (auto& load : made->actions.surface) load.places = {};  // they are in the entries
   for (std::size_t n = 0; n < actions.surface.size(); ++n)
     for (const LoadedPlace<d>& place : actions.surface[n].places) {
       const double area = place.area.norm();
@@ -161,7 +163,8 @@ Term<d> held_term(const Solid<d>& solid, const Actions<d>& actions) {
     for (const HeldPlace<d>& place : actions.held[n].places)
       entries->push_back({solid.bonds.slots.of(place.particle), place.component, n, place.at});
   sort_by_slot(*entries);
-  const auto held = std::make_shared<const std::vector<Held<d>>>(actions.held);
+  const auto held = std::make_shared<std::vector<Held<d>>>(actions.held);
+  for (Held<d>& boundary : *held) boundary.places = {};  // they are in the entries
   Term<d> term;
   term.name = "supports";
   term.bytes = entries->size() * sizeof(HeldEntry<d>);

@@ -66,6 +66,22 @@ bool lies_on(const Facet<d>& facet, const Face& face, const Cloud<d>& cloud) {
          facet.area[face.axis] * face.side > (1 - 1e-12) * facet.area.norm();
 }
 
+/// The middle of a facet. Those of node lattices are told at their particle, which lies at the rim of the facets of
+/// edges and corners.
+template <int d>
+Vec<d> middle_of(const Facet<d>& facet, const Cloud<d>& cloud) {
+  Vec<d> middle = facet.centroid;
+  if (cloud.line == 0) return middle;
+  for (int a = 0; a < d; ++a) {
+    if (std::abs(facet.area[a]) > 0) continue;  // the facet's own axis
+    const double cell = cloud.box.size[a] / static_cast<double>(std::max<Index>(1, cloud.count[a] - 1));
+    const double below = middle[a] - cloud.box.origin[a], above = cloud.box.size[a] - below;
+    if (below < 1e-6 * cell) middle[a] += cell / 4;
+    if (above < 1e-6 * cell) middle[a] -= cell / 4;
+  }
+  return middle;
+}
+
 template <int d>
 SurfaceLoad<d> surface_load_of(const Cloud<d>& cloud, const Boundary& boundary,
                                const std::vector<Facet<d>>& facets) {
@@ -73,8 +89,8 @@ SurfaceLoad<d> surface_load_of(const Cloud<d>& cloud, const Boundary& boundary,
   load.name = name_of(boundary);
   for (const Facet<d>& facet : facets) {
     const bool on = boundary.face ? lies_on(facet, *boundary.face, cloud)
-                                  : boundary.where->holds_at(in_space(facet.centroid));
-    if (on) load.places.push_back({facet.owner, facet.centroid, facet.area});
+                                  : boundary.where->holds_at(in_space(middle_of(facet, cloud)));
+    if (on) load.places.push_back({facet.owner, middle_of(facet, cloud), facet.area});
   }
   if (load.places.empty()) {
     if (!boundary.face) throw holds_nowhere(boundary, "piece of the surface");

@@ -108,6 +108,7 @@ std::vector<SceneChoice> scene_choices() {
           {"method.momentum", "momentum", momentum_names()},
           {"method.integrator", "integrator", integrator_names()},
           {"method.wave_speed", "wave speed", wave_speed_names()},
+          {"compatible.table", "compatible table", compatible_table_names()},
           {"compatible.start", "compatible start", start_table_names()},
           {"compatible.volumes", "compatible volume", compatible_volume_names()},
           {"compatible.surface", "compatible surface", compatible_surface_names()},

@@ -216,7 +216,8 @@ std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation) {
   if (solid.F.components()) arrays.push_back({"deformation gradient", solid.F.bytes()});
   if (solid.stored_force.components()) arrays.push_back({"force", solid.stored_force.bytes()});
   for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
-  arrays.push_back({"prescribed velocities", simulation.supports.size() * sizeof(Support<d>)});
+  arrays.push_back({"prescribed velocities",
+                    simulation.supports.size() * (sizeof(Support<d>) + sizeof(HeldPlace<d>))});
   if (follows_closest_pairs(simulation.control))
     arrays.push_back({"closest pairs, for the time step", closest_pairs_bytes(solid)});
   std::erase_if(arrays, [](const ArrayEntry& entry) { return entry.bytes == 0; });

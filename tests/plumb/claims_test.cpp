@@ -164,7 +164,7 @@ TEST(Ledger, TheCheckShowsMeasuredBesideRecorded) {
                                        (folder / "store").string());
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(std::regex_replace(outcome.out, std::regex("\\s+"), " ")
-                .find("W1: 0.19 (CHANGED: recorded 0.19, measured 0.196962"),
+                .find("W1: 0.19 (CHANGED: recorded 0.19, measured 0.19696"),
             std::string::npos)
       << outcome.out;
 }

@@ -111,7 +111,7 @@ TEST(Judge, MessagesNameThePlace) {
   EXPECT_NE(judge("h,e\n0.4,1\n0.2,inf\n").error.find("table.csv:3: inf in column 2"), std::string::npos);
   EXPECT_NE(judge("h,e\n0.4,1\n0.2,1,3\n").error.find("table.csv:3: 3 cells, the first line has 2"),
             std::string::npos);
-  EXPECT_NE(judge(plain, "--error l").error.find("did you mean"), std::string::npos);
+  EXPECT_NE(judge(plain, "--error l").error.find("Did you mean"), std::string::npos);
 }
 
 }  // namespace

@@ -78,8 +78,9 @@ TEST(List, NamesWhatTheReadersAcceptAndNothingElse) {
 /// A reader that lets a new key choose from names must tell it here.
 TEST(List, KnowsEveryKeyThatChoosesFromNames) {
   std::set<std::string> keys, known;
-  for (const char* file : {"read_scene", "read_body", "read_parts", "read_method"}) {
-    std::ifstream in(std::string(PLUMBLINE_SOURCE_DIR "/lib/scene/") + file + ".cpp");
+  for (const char* file : {"scene/read_scene", "scene/read_body", "scene/read_parts", "scene/read_method",
+                           "dissipation/jst_options"}) {
+    std::ifstream in(std::string(PLUMBLINE_SOURCE_DIR "/lib/") + file + ".cpp");
     ASSERT_TRUE(in) << file;
     const std::string text((std::istreambuf_iterator<char>(in)), {});
     const std::regex call(R"x(choice_or\("([a-z_]+)")x");

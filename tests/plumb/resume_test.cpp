@@ -211,7 +211,7 @@ TEST_F(Resume, AnotherVersionIsRefused) {
   write_checkpoint(checkpoint("out"), c);
   const auto outcome = run_shell(call("out", "--resume"));
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.error.find("another version (plumb 9.9.9; this is plumb 0."), std::string::npos)
+  EXPECT_NE(outcome.error.find("another version. Plumb 9.9.9; this is plumb 0."), std::string::npos)
       << outcome.error;
 }
 

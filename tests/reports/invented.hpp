@@ -207,7 +207,7 @@ inline Json Invention::refinement(const Words& w) {
       for (int n = 0; n < 4; ++n) rows.push_back(row({{"integrator", name}}, {"dt", "l2"}));
       fits.push_back(fit({{"integrator", name}}));
     }
-    return {{"rows", rows}, {"fits", fits}, {"spatial_error", 0.5}};
+    return {{"rows", rows}, {"fits", fits}, {"spatial_error", 0.5}, {"units", {{"l2", "m^2"}}}};
   }
   const auto found = w.find("study.spacings");
   std::string spacings = found == w.end() ? "[0.2,0.1,0.05,0.025]" : found->second;

