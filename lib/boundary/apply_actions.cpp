@@ -98,7 +98,8 @@ std::shared_ptr<Loads<d>> make_loads(const Solid<d>& solid, const Actions<d>& ac
   auto made = std::make_shared<Loads<d>>();
   made->actions = actions;
   made->actions.held.clear();
-  for (auto& load : made->actions.surface) load.places = {};  // they are in the entries
+  for (auto& load : made->actions.surface)
+    std::vector<LoadedPlace<d>>().swap(load.places);  // they are in the entries
   for (std::size_t n = 0; n < actions.surface.size(); ++n)
     for (const LoadedPlace<d>& place : actions.surface[n].places) {
       const double area = place.area.norm();
@@ -164,7 +165,8 @@ Term<d> held_term(const Solid<d>& solid, const Actions<d>& actions) {
       entries->push_back({solid.bonds.slots.of(place.particle), place.component, n, place.at});
   sort_by_slot(*entries);
   const auto held = std::make_shared<std::vector<Held<d>>>(actions.held);
-  for (Held<d>& boundary : *held) boundary.places = {};  // they are in the entries
+  for (Held<d>& boundary : *held)
+    std::vector<HeldPlace<d>>().swap(boundary.places);  // they are in the entries
   Term<d> term;
   term.name = "supports";
   term.bytes = entries->size() * sizeof(HeldEntry<d>);

@@ -66,8 +66,8 @@ bool lies_on(const Facet<d>& facet, const Face& face, const Cloud<d>& cloud) {
          facet.area[face.axis] * face.side > (1 - 1e-12) * facet.area.norm();
 }
 
-/// The middle of a facet. Those of node lattices are told at their particle, which lies at the rim of the facets of
-/// edges and corners.
+/// The middle of a facet. Those of node lattices are told at their particle, which lies at the rim of the
+/// facets of edges and corners.
 template <int d>
 Vec<d> middle_of(const Facet<d>& facet, const Cloud<d>& cloud) {
   Vec<d> middle = facet.centroid;

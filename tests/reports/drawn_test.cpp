@@ -131,13 +131,21 @@ class Lookup {
                                               origin.column.find("energy") != std::string::npos))
         references_.push_back(value);
   }
-  const Origin* find(double drawn) const {
-    for (const double value : {drawn, 1e3 * drawn, 1e6 * drawn, 1e9 / drawn})
-      if (const Origin* found = at(value)) return found;
-    for (const double reference : references_)
-      for (const double value : {drawn / 100 * reference, (1 + drawn / 100) * reference})
-        if (const Origin* found = at(value)) return found;
-    return nullptr;
+  /// The origin that `fits`, or else the first one: 100 % of any reference is a number that is there.
+  template <class Fits>
+  const Origin* find(double drawn, Fits&& fits) const {
+    const Origin* first = nullptr;
+    std::vector<double> values{drawn, 1e3 * drawn, 1e6 * drawn, 1e9 / drawn};
+    for (const double reference : references_) {
+      values.push_back(drawn / 100 * reference);
+      values.push_back((1 + drawn / 100) * reference);
+    }
+    for (const double value : values) {
+      const Origin* found = at(value);
+      if (found && fits(*found)) return found;
+      if (!first) first = found;
+    }
+    return first;
   }
 
  private:
@@ -186,7 +194,12 @@ class Drawn : public ::testing::Test {
 
   void check_point(const Figure& figure, const Series& series, std::size_t k, const Lookup& lookup) const {
     const std::string where = figure.id + ", " + series.label;
-    const Origin* origin = lookup.find(series.y[k]);
+    const Origin* origin = lookup.find(series.y[k], [&](const Origin& o) {
+      const auto& row = o.row->numbers;
+      return may_show(figure.picture.y.label, o.column, facts_of(o)) &&
+             std::any_of(row.begin(), row.end(),
+                         [&](const auto& entry) { return near(series.x[k], entry.second); });
+    });
     ASSERT_NE(origin, nullptr) << where << ": " << series.y[k] << " stands in none of its studies";
     const Words facts = facts_of(*origin);
     EXPECT_TRUE(may_show(figure.picture.y.label, origin->column, facts))
