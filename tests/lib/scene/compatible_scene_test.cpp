@@ -57,13 +57,14 @@ TEST(CompatibleScene, ChoosesTheClosedFormOfLattices) {
   EXPECT_FALSE(is_closed({"body.jitter=0.1"}));
   EXPECT_FALSE(is_closed({"body.layout=cell"}));
   EXPECT_FALSE(is_closed({"body.cloud=blue-noise", "method.beta=1.2"}));
-  EXPECT_FALSE(is_closed({"method.beta=1.2"}));
+  EXPECT_TRUE(is_closed({"method.beta=1.2"}));
+  EXPECT_FALSE(is_closed({"method.beta=1.6"}));
   EXPECT_FALSE(is_closed({"method.momentum=symmetrised"}));
   EXPECT_FALSE(is_closed({"compatible.surface=estimated"}));
 }
 
 TEST(CompatibleScene, RefusesTheClosedFormWhereThereIsNone) {
-  for (const char* change : {"body.jitter=0.1", "body.layout=cell", "method.beta=1.2"})
+  for (const char* change : {"body.jitter=0.1", "body.layout=cell", "method.beta=1.6"})
     EXPECT_THROW(is_closed({"compatible.table=closed-form", change}), InputError) << change;
   for (const char* change : {"method.momentum=symmetrised", "compatible.surface=estimated"})
     EXPECT_THROW(parse_scene(scene_with("compatible"), "test.toml", {"compatible.table=closed-form", change}),
