@@ -47,15 +47,44 @@ Compatible read_compatible(const Section& root, const Method& method) {
   return compatible;
 }
 
-Method read_method_section(const Section& root) {
+/// The scheme of paper 000. Its [jst] is in read_jst().
+void set_paper(Method& method) {
+  method.pair = "W1";
+  method.gradient = "improved";
+  method.momentum = "symmetrised";
+  method.integrator = "rk3";
+}
+
+/// On cell layouts the surface is extrapolated from inside, and compatible area vectors near it grow with
+/// beta 0.9; other momentum forms do not have the force that a closed table has.
+std::string default_gradient(const Method& method, const Body& body) {
+  const bool suits = method.paper.empty() && method.momentum == "adjoint" && body.layout == Layout::node;
+  return suits ? "compatible" : "improved";
+}
+
+/// Particles beside a surface that cuts a cloud have too few bonds with 0.9, THEORY chapter 11.
+double default_beta(const Method& method, const Body& body) {
+  const bool fills_box = body.shape == "box" && body.holes.empty() && body.cloud == "lattice";
+  return method.gradient == "compatible" && !fills_box ? 1.2 : method.beta;
+}
+
+Method read_method_section(const Section& root, const Body& body) {
   Method method;
   const auto section = root.optional_section("method");
-  if (!section) return method;
+  if (!section) {
+    method.gradient = default_gradient(method, body);
+    method.beta = default_beta(method, body);
+    return method;
+  }
+  if (section->has("paper")) {
+    method.paper = section->choice_or("paper", "000", {"000"});
+    set_paper(method);
+  }
   method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
-  method.beta = section->number_or("beta", method.beta, quantity::number, Sign::positive);
   method.pair = section->choice_or("pair", method.pair, pair_names());
-  method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
+  method.gradient = section->choice_or("gradient", default_gradient(method, body), gradient_names());
+  method.beta = section->number_or("beta", default_beta(method, body), quantity::number, Sign::positive);
   if (method.momentum == "variational" && method.gradient == "compatible")
     section->fail("momentum", R"("variational" contradicts gradient = "compatible")",
                   "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
@@ -77,15 +106,15 @@ Method read_method_section(const Section& root) {
 
 }  // namespace
 
-Method read_method(const Section& root) {
-  Method method = read_method_section(root);
+Method read_method(const Section& root, const Body& body) {
+  Method method = read_method_section(root, body);
   method.compatible = read_compatible(root, method);
   return method;
 }
 
-std::optional<Jst> read_jst(const Section& root) {
+std::optional<Jst> read_jst(const Section& root, const Method& method) {
   const auto section = root.optional_section("jst");
-  if (!section) return std::nullopt;
+  if (!section) return method.paper.empty() ? std::nullopt : std::optional(Jst{});
   Jst jst;
   jst.eta2 = section->number_or("eta2", jst.eta2, quantity::number, Sign::not_negative);
   jst.eta4 = section->number_or("eta4", jst.eta4, quantity::number, Sign::not_negative);

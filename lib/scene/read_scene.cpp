@@ -61,8 +61,8 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
               "add end_time = \"0.1 s\" or max_steps = 100");
   scene.body = read_body(root.section("body"), scene.dimension, true);
   scene.material = read_material(root.section("material"));
-  scene.method = read_method(root);
-  scene.jst = read_jst(root);
+  scene.method = read_method(root, scene.body);
+  scene.jst = read_jst(root, scene.method);
   scene.hourglass = read_hourglass(root);
   scene.projection = read_projection(root);
   scene.initial = read_initial(root, scene.dimension);

@@ -10,9 +10,12 @@ namespace plumb {
 /// (studies). `dimension` 0: as many as body.size has.
 Body read_body(const Section& section, int dimension, bool with_lattice);
 MaterialChoice read_material(const Section& section);
-/// [method] and [compatible]. Defaults if a section is absent.
-Method read_method(const Section& root);
-std::optional<Jst> read_jst(const Section& root);
+/// [method] and [compatible]. What is not given is that of `paper`, or suits the body: compatible bonds with
+/// the adjoint force where particles lie on the surface, with beta 1.2 unless a lattice fills a box, and
+/// otherwise improved, 0.9.
+Method read_method(const Section& root, const Body& body);
+/// Paper 000 has one if none is given.
+std::optional<Jst> read_jst(const Section& root, const Method& method);
 std::optional<Hourglass> read_hourglass(const Section& root);
 /// True if there is a section [projection].
 bool read_projection(const Section& root);

@@ -81,8 +81,8 @@ Study parse_study(const std::string& text, const std::string& file_name,
   study.expect = read_expect(root);
   study.body = read_body(root.section("body"), 0, false);
   study.material = read_material(root.section("material"));
-  study.method = read_method(root);
-  study.jst = read_jst(root);
+  study.method = read_method(root, study.body);
+  study.jst = read_jst(root, study.method);
   study.hourglass = read_hourglass(root);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);

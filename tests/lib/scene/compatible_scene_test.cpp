@@ -72,6 +72,51 @@ TEST(CompatibleScene, RefusesTheClosedFormWhereThereIsNone) {
         << change;
 }
 
+Scene without_method(const std::vector<std::string>& changes) {
+  return parse_scene(
+      "[scene]\ndimension = 2\nmax_steps = 1\n[body]\nsize = [1, 1]\nspacing = 0.1\n"
+      "[material]\nyoung = 1e6\npoisson = 0.3\ndensity = 1000\n",
+      "test.toml", changes);
+}
+
+TEST(DefaultScheme, IsCompatibleWhereParticlesLieOnTheSurface) {
+  const auto expect = [](const std::vector<std::string>& changes, const char* gradient, double beta) {
+    const Scene scene = without_method(changes);
+    EXPECT_EQ(scene.method.gradient, gradient);
+    EXPECT_EQ(scene.method.beta, beta);
+    EXPECT_TRUE(make_simulation<2>(scene).warnings.empty());
+  };
+  const std::string hole = "body.hole=[{shape='ball', centre=[0.5, 0.5], radius=0.25}]";
+  expect({}, "compatible", 0.9);
+  expect({"method.cfl=0.4"}, "compatible", 0.9);
+  expect({"body.jitter=0.2"}, "compatible", 0.9);
+  expect({hole}, "compatible", 1.2);
+  expect({"body.cloud=blue-noise"}, "compatible", 1.2);
+  expect({"body.cloud=blue-noise", "method.beta=1.3"}, "compatible", 1.3);
+  expect({"body.layout=cell"}, "improved", 0.9);
+  expect({"body.layout=mirror", "boundary=[{face='x-', kind='roller'}]"}, "improved", 0.9);
+  expect({"method.momentum=variational"}, "improved", 0.9);
+  EXPECT_TRUE(make_simulation<2>(without_method({})).compatible->closed_form);
+}
+
+// One word for the keys of the paper's scenes; a key that is given wins.
+TEST(DefaultScheme, PaperIsTheSchemeOfThePaper) {
+  const Scene paper = without_method({"method.paper=000"});
+  EXPECT_EQ(paper.method.gradient, "improved");
+  EXPECT_EQ(paper.method.momentum, "symmetrised");
+  EXPECT_EQ(paper.method.integrator, "rk3");
+  EXPECT_EQ(paper.method.pair, "W1");
+  EXPECT_EQ(paper.method.beta, 0.9);
+  ASSERT_TRUE(paper.jst);
+  EXPECT_EQ(paper.jst->eta4, Jst{}.eta4);
+  const Scene other = without_method({"method.paper=000", "method.gradient=standard", "jst.eta4=0.125"});
+  EXPECT_EQ(other.method.gradient, "standard");
+  EXPECT_EQ(other.method.momentum, "symmetrised");
+  EXPECT_EQ(other.jst->eta4, 0.125);
+  EXPECT_FALSE(without_method({}).jst);
+  EXPECT_THROW(without_method({"method.paper=999"}), InputError);
+}
+
 TEST(HourglassScene, LeavesNoTraceUnlessItIsNamed) {
   const auto without = make_simulation<2>(parse_scene(scene_with("compatible"), "test.toml"));
   EXPECT_TRUE(without.solid.terms.empty());
