@@ -1,5 +1,6 @@
 #include "plumbline/compatible/lattice_closure.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plumbline/core/error.hpp"
@@ -7,91 +8,103 @@
 namespace plumb {
 namespace {
 
-/// Which layers there are beside a particle, along one axis.
-struct Axis {
-  double below = 0, above = 0;  ///< distance to the lowest and to the highest layer seen [m]
-  double half;                  ///< half a step [m]: what is farther is the next layer
-
-  bool lower_end() const { return below > -half; }
-  bool upper_end() const { return above < half; }
-  int layer(double separation) const { return separation < -half ? -1 : separation > half ? 1 : 0; }
-
-  /// D [1/m], THEORY (11.9): between the outermost layers seen, so that linear fields are exact on the
-  /// positions as they are rounded.
-  double difference(int layer) const {
-    const double own = lower_end() ? -1 : upper_end() ? 1 : 0;
-    return (layer == 0 ? own : layer) / (above - below);
+/// What a particle sees along one axis, and the weights there of the operators of THEORY (11.9), (11.15). A
+/// layer counts up from the particle's own.
+class Axis {
+ public:
+  template <int d>
+  Axis(double step, int k, Neighbourhood<d> neighbours) : step_(step) {
+    double next[2] = {0, 0};  // distances to the layers below and above, as they are rounded
+    for (const auto& neighbour : neighbours) {
+      const double separation = neighbour.separation[k];
+      const int n = layer(separation);
+      below_ = std::max(below_, -n);
+      above_ = std::max(above_, n);
+      if (n == -1 || n == 1) next[n > 0] = separation;
+    }
+    per_length_ = 1 / (next[1] - next[0]);
   }
-  /// T, THEORY (11.9).
-  double curvature(int layer) const {
-    const bool inside = !lower_end() && !upper_end();
-    return layer == 0 ? -2 : inside ? 1 : 2;
+
+  int layer(double separation) const { return static_cast<int>(std::lround(separation / step_)); }
+
+  /// D_m [1/m] at a layer.
+  double difference(int m, int n) const {
+    const double first = one_sided(1, n) - one_sided(-1, n);
+    if (m == 1) return first * per_length_;
+    return (first + (curved(1, n) - curved(-1, n)) / (4 * share())) * per_length_;
   }
+  /// N_p at a layer.
+  double neighbours(int p, int n) const {
+    if (p == 0) return n == 0 ? 1 : 0;
+    return (n == 0 ? 2 : 0) + (one_sided(p, n) + one_sided(-p, n)) / share();
+  }
+
+ private:
+  bool sees(int n) const { return n > 0 ? n <= above_ : -n <= below_; }
+  /// Tributary weight H/d.
+  double share() const { return below_ == 0 || above_ == 0 ? 0.5 : 1; }
+  /// u_to - u_0; nothing if there is no such layer.
+  double one_sided(int to, int n) const { return sees(to) ? (n == to) - (n == 0) : 0; }
+  /// Second difference around the layer `at`, in both directions from it, in units of difference().
+  double curved(int at, int n) const {
+    return sees(2 * at) ? widths() * ((n == 2 * at) - 2 * (n == at) + (n == 0)) : 0;
+  }
+  /// Layers between those that D_1 takes.
+  int widths() const { return sees(1) && sees(-1) ? 2 : 1; }
+
+  double step_, per_length_;
+  int below_ = 0, above_ = 0;
 };
 
+/// Axes after axis k, cyclic.
 template <int d>
-std::array<Axis, d> axes_of(const LatticeClosure<d>& closure, Neighbourhood<d> neighbours) {
-  std::array<Axis, d> axes;
-  for (int k = 0; k < d; ++k) {
-    axes[k].half = 0.5 * closure.step[k];
-    for (const auto& neighbour : neighbours) {
-      axes[k].below = std::min(axes[k].below, neighbour.separation[k]);
-      axes[k].above = std::max(axes[k].above, neighbour.separation[k]);
-    }
-  }
-  return axes;
+int axis_after(int k, int n) {
+  return (k + n) % d;
 }
 
-/// I + sum_m once_m T_m + twice T_m T_n of component k at one neighbour. T and I are zero where there is a
-/// step along the other axes.
-template <int d>
-double across(const Averaging<d>& averaging, int k, const std::array<Axis, d>& axes,
-              const std::array<int, d>& layer) {
-  double both = averaging.twice;
-  std::array<double, d> identity;
-  for (int m = 0; m < d; ++m) identity[m] = m == k || layer[m] == 0 ? 1 : 0;
-  double sum = 1;
-  for (int m = 0; m < d; ++m) sum *= identity[m];
-  for (int m = 0; m < d; ++m) {
-    if (m == k) continue;
-    double once = averaging.once[m] * axes[m].curvature(layer[m]);
-    for (int n = 0; n < d; ++n)
-      if (n != m) once *= identity[n];
-    sum += once;
-    both *= axes[m].curvature(layer[m]);
-  }
-  return d == 3 ? sum + both : sum;
+/// Places in InteriorWeights: use(m, p, q).
+template <int d, class Use>
+void for_each_weight(Use&& use) {
+  for (int m = 1; m <= closure_reach; ++m)
+    for (int p = 0; p <= closure_reach; ++p)
+      for (int q = 0; q <= (d == 3 ? closure_reach : 0); ++q) use(m, p, q);
 }
 
-/// Separations of the particle itself and of all 3^d - 1 particles around it, in that order.
+/// The full neighbourhood of a particle inside the infinite lattice.
 template <int d>
-std::vector<Vec<d>> full_neighbourhood(const Vec<d>& step) {
-  std::vector<Vec<d>> all{Vec<d>::Zero()};
-  for (int n = 0; n < (d == 2 ? 9 : 27); ++n) {
+std::vector<Neighbour<d>> full_neighbourhood(const Vec<d>& step, double R) {
+  constexpr int side = 2 * closure_reach + 1;
+  std::vector<Neighbour<d>> seen;
+  for (int n = 0; n < (d == 2 ? side * side : side * side * side); ++n) {
     Vec<d> X;
-    for (int k = 0, rest = n; k < d; ++k, rest /= 3) X[k] = (rest % 3 - 1) * step[k];
-    if (X.squaredNorm() > 0) all.push_back(X);
+    for (int k = 0, rest = n; k < d; ++k, rest /= side) X[k] = (rest % side - closure_reach) * step[k];
+    if (X.norm() < R * (1 - 1e-12)) seen.push_back({X, step.prod()});
   }
-  return all;
+  return seen;
 }
 
-/// The averaging of component k that gives the weights c(offset) of a full neighbourhood.
-template <int d, class Weight>
-Averaging<d> averaging_of(int k, double step, const Weight& c) {
-  Averaging<d> a;
-  if (d == 3) a.twice = 2 * step * c(Vec<d>::Ones());
-  double total = 1 + 4 * a.twice;
-  for (int m = 0; m < d; ++m)
-    if (m != k) {
-      a.once[m] = 2 * step * c(Vec<d>::Unit(k) + Vec<d>::Unit(m)) + 2 * a.twice;
-      total -= 2 * a.once[m];
-    }
-  // rounding of sums of some ten weights, and of a correction of small condition
-  if (std::abs(2 * step * c(Vec<d>::Unit(k)) - total) > 1e-10)
+/// Weight of D_m N_p N_q in component k, from the stencil of a full neighbourhood: D_m has 1/(2 m step) at
+/// layer m, N_p has 1 at layer p.
+template <int d>
+InteriorWeights weights_of(int k, const Vec<d>& step, const std::vector<Neighbour<d>>& seen,
+                           const std::vector<Vec<d>>& stencil) {
+  InteriorWeights weight{};
+  double total = 0;
+  for_each_weight<d>([&](int m, int p, int q) {
+    Vec<d> X = Vec<d>::Zero();
+    X[k] = m * step[k];
+    X[axis_after<d>(k, 1)] = p * step[axis_after<d>(k, 1)];
+    if (d == 3) X[axis_after<d>(k, 2)] = q * step[axis_after<d>(k, 2)];
+    for (std::size_t n = 0; n < seen.size(); ++n)
+      if ((seen[n].separation - X).norm() < 0.1 * step.minCoeff())
+        weight[m - 1][p][q] = 2 * m * step[k] * stencil[n][k];
+    total += (p > 0 ? 2 : 1) * (q > 0 ? 2 : 1) * weight[m - 1][p][q];
+  });
+  if (std::abs(total - 1) > 1e-10)  // rounding of sums of some ten weights is 1e-15
     throw InputError("a start table that is not exact for affine maps",
-                     "its weights are no difference along an axis times an average across",
+                     "its weights are no differences along an axis times averages across",
                      "use start = \"standard\" or \"improved\" with pair = \"W1\" or \"W0\"");
-  return a;
+  return weight;
 }
 
 }  // namespace
@@ -107,7 +120,7 @@ std::optional<std::string> reason_against_closure(const Cloud<d>& cloud, double 
     if (first != 0 || std::abs(cloud.X.back()[k] - cloud.box.origin[k] - size) > 1e-12 * size)
       return "no particles lie on the faces";
     const double step = size / static_cast<double>(cloud.count[k] - 1);
-    if (cloud.count[k] > 2 && R * (1 - 1e-12) > 2 * step) return "bonds reach beyond the next layer";
+    if (R * (1 - 1e-12) > (closure_reach + 1) * step) return "bonds reach beyond the second layer";
   }
   return std::nullopt;
 }
@@ -116,35 +129,37 @@ template <int d>
 LatticeClosure<d> lattice_closure(const Cloud<d>& cloud, const BondOptions<d>& options) {
   LatticeClosure<d> closure;
   for (int k = 0; k < d; ++k) closure.step[k] = cloud.box.size[k] / static_cast<double>(cloud.count[k] - 1);
-  const double R = options.kernel.support * options.smoothing_length;
-  std::vector<Neighbour<d>> seen;
-  for (const auto& X : full_neighbourhood<d>(closure.step))
-    if (X.norm() < R * (1 - 1e-12)) seen.push_back({X, closure.step.prod()});
+  const auto seen = full_neighbourhood<d>(closure.step, options.kernel.support * options.smoothing_length);
   const CorrectedKernel<d> kernel = correct<d>(options.pair, options.kernel, options.smoothing_length, seen);
   const auto stencil = options.estimator(seen, kernel);
-  for (int k = 0; k < d; ++k)
-    closure.averaging[k] = averaging_of<d>(k, closure.step[k], [&](const Vec<d>& offset) {
-      const Vec<d> X = offset.cwiseProduct(closure.step);
-      for (std::size_t n = 0; n < seen.size(); ++n)
-        if ((seen[n].separation - X).norm() < 0.1 * closure.step.minCoeff()) return stencil[n][k];
-      return 0.0;  // out of reach
-    });
+  for (int k = 0; k < d; ++k) closure.weight[k] = weights_of<d>(k, closure.step, seen, stencil);
   return closure;
 }
 
 template <int d>
+double averaging(const LatticeClosure<d>& closure, int k, int m) {
+  const auto& first = closure.weight[k][0];
+  return m == axis_after<d>(k, 1) ? first[1][0] + 2 * first[1][1] : first[0][1] + 2 * first[1][1];
+}
+
+template <int d>
 std::vector<Vec<d>> closed_stencil(const LatticeClosure<d>& closure, Neighbourhood<d> neighbours) {
-  const auto axes = axes_of<d>(closure, neighbours);
+  std::vector<Axis> axes;
+  for (int k = 0; k < d; ++k) axes.emplace_back(closure.step[k], k, neighbours);
   std::vector<Vec<d>> c;
   c.reserve(neighbours.size());
   for (const auto& neighbour : neighbours) {
     std::array<int, d> layer;
     for (int k = 0; k < d; ++k) layer[k] = axes[k].layer(neighbour.separation[k]);
-    Vec<d> weight = Vec<d>::Zero();
+    Vec<d> row = Vec<d>::Zero();
     if (neighbour.separation.squaredNorm() > 0)
       for (int k = 0; k < d; ++k)
-        weight[k] = axes[k].difference(layer[k]) * across<d>(closure.averaging[k], k, axes, layer);
-    c.push_back(weight);
+        for_each_weight<d>([&](int m, int p, int q) {
+          const int a = axis_after<d>(k, 1), b = axis_after<d>(k, 2);
+          row[k] += closure.weight[k][m - 1][p][q] * axes[k].difference(m, layer[k]) *
+                    axes[a].neighbours(p, layer[a]) * (d == 3 ? axes[b].neighbours(q, layer[b]) : 1.0);
+        });
+    c.push_back(row);
   }
   return c;
 }
@@ -161,6 +176,7 @@ LatticeClosure<d> close_on_lattice(BondOptions<d>& options, const Cloud<d>& clou
 #define PLUMB_INSTANTIATE(d)                                                                  \
   template std::optional<std::string> reason_against_closure<d>(const Cloud<d>&, double);     \
   template LatticeClosure<d> lattice_closure<d>(const Cloud<d>&, const BondOptions<d>&);      \
+  template double averaging<d>(const LatticeClosure<d>&, int, int);                           \
   template std::vector<Vec<d>> closed_stencil<d>(const LatticeClosure<d>&, Neighbourhood<d>); \
   template LatticeClosure<d> close_on_lattice<d>(BondOptions<d>&, const Cloud<d>&);
 PLUMB_INSTANTIATE(2)

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 
@@ -6,25 +7,25 @@
 
 namespace plumb {
 
-/// The averaging across axis k that multiplies the difference along it in c_k: I + sum_m once_m T_m, in 3D
-/// with + twice T_m T_n over the two axes across. THEORY (11.10), (11.11).
-template <int d>
-struct Averaging {
-  Vec<d> once = Vec<d>::Zero();  ///< per axis, zero for axis k itself
-  double twice = 0;              ///< zero in 2D
-};
+/// Layers that bonds of a closed table may reach.
+inline constexpr int closure_reach = 2;
 
-/// The interior weights of an estimator on a lattice whose bonds reach one layer: all that it leaves to
-/// choose.
+/// The interior weights of one component of the gradient, all that an estimator leaves to choose:
+/// c_k = sum over m, p, q of weight[m - 1][p][q] D_m N_p N_q, with the difference D_m over m layers along
+/// axis k and N_p, N_q over p and q layers along the axes after it (cyclic; in 2D q = 0). THEORY (11.15).
+using InteriorWeights =
+    std::array<std::array<std::array<double, closure_reach + 1>, closure_reach + 1>, closure_reach>;
+
+/// How the bonds of a lattice are closed at its faces.
 template <int d>
 struct LatticeClosure {
   Vec<d> step;                            ///< distance of particles along each axis [m]
-  std::array<Averaging<d>, d> averaging;  ///< of c_k
+  std::array<InteriorWeights, d> weight;  ///< of c_k
 };
 
 /// Why compatible bonds on this cloud are not known in closed form, as the end of a sentence that begins with
 /// "because"; nullopt if they are: a whole lattice with particles on the faces, two or more along each axis,
-/// whose bonds (shorter than R [m]) reach one layer.
+/// whose bonds (shorter than R [m]) reach two layers at most.
 template <int d>
 std::optional<std::string> reason_against_closure(const Cloud<d>& cloud, double R);
 
@@ -33,9 +34,13 @@ std::optional<std::string> reason_against_closure(const Cloud<d>& cloud, double 
 template <int d>
 LatticeClosure<d> lattice_closure(const Cloud<d>& cloud, const BondOptions<d>& options);
 
-/// The row of one particle: c_k = D_k (I + ..) with one-sided differences at the faces, where the averaging
-/// keeps its symmetry in the tributary weights. Affine maps are exact, and sum_k V_k c_ki = B_i, whatever the
-/// interior weights are. Zero for the particle itself. THEORY (11.9)-(11.12).
+/// The factor of T_m in what multiplies D_1 in c_k, with bonds that reach one layer: a of THEORY (11.10),
+/// alpha of (11.11).
+template <int d>
+double averaging(const LatticeClosure<d>& closure, int k, int m);
+
+/// The row of one particle, closed at the faces so that affine maps are exact and sum_k V_k c_ki = B_i,
+/// whatever the interior weights are. Zero for the particle itself. THEORY (11.9)-(11.12), (11.15).
 template <int d>
 std::vector<Vec<d>> closed_stencil(const LatticeClosure<d>& closure, Neighbourhood<d> neighbours);
 

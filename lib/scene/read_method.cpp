@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "plumbline/scene/names.hpp"
 #include "plumbline/scene/readers.hpp"
 
@@ -47,15 +49,33 @@ Compatible read_compatible(const Section& root, const Method& method) {
   return compatible;
 }
 
-Method read_method_section(const Section& root) {
+/// The scheme of paper 000. Its [jst] is in read_method().
+void set_paper(Method& method) {
+  method.pair = "W1";
+  method.gradient = "improved";
+  method.momentum = "symmetrised";
+  method.integrator = "rk3";
+}
+
+/// Particles beside a surface that cuts a cloud have too few bonds with 0.9, THEORY chapter 11.
+double default_beta(const Method& method, const Body& body) {
+  const bool fills_box = body.shape == "box" && body.holes.empty() && body.cloud == "lattice";
+  return method.gradient == "compatible" && !fills_box ? 1.2 : method.beta;
+}
+
+Method read_method_section(const Section& root, const Body& body) {
   Method method;
   const auto section = root.optional_section("method");
   if (!section) return method;
+  if (section->has("paper")) {
+    method.paper = section->choice_or("paper", "000", {"000"});
+    set_paper(method);
+  }
   method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
-  method.beta = section->number_or("beta", method.beta, quantity::number, Sign::positive);
   method.pair = section->choice_or("pair", method.pair, pair_names());
-  method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
+  method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
+  method.beta = section->number_or("beta", default_beta(method, body), quantity::number, Sign::positive);
   if (method.momentum == "variational" && method.gradient == "compatible")
     section->fail("momentum", R"("variational" contradicts gradient = "compatible")",
                   "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
@@ -84,12 +104,16 @@ std::vector<std::string> method_sections() {
   return names;
 }
 
-Method read_method(const Section& root) {
-  Method method = read_method_section(root);
+Method read_method(const Section& root, const Body& body) {
+  Method method = read_method_section(root, body);
   method.compatible = read_compatible(root, method);
   for_each_part(method, [&]<class Part>(std::optional<Part>& part) {
     const auto section = root.optional_section(std::string(Part::section));
-    if (!section) return;
+    if (!section) {
+      if constexpr (std::is_same_v<Part, JstOptions>)
+        if (!method.paper.empty()) part = JstOptions{};  // paper 000 has one
+      return;
+    }
     part = Part::read(*section);
     section->reject_unknown();
   });

@@ -61,7 +61,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
               "add end_time = \"0.1 s\" or max_steps = 100");
   scene.body = read_body(root.section("body"), scene.dimension, true);
   scene.material = read_material(root.section("material"));
-  scene.method = read_method(root);
+  scene.method = read_method(root, scene.body);
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);

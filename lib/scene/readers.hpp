@@ -15,8 +15,9 @@ Body read_body(const Section& section, int dimension, bool with_lattice);
 MaterialChoice read_material(const Section& section);
 /// Lists the sections that read_method reads: [method] and those of its parts.
 std::vector<std::string> method_sections();
-/// Reads the scheme with its optional parts. Defaults if a section is absent.
-Method read_method(const Section& root);
+/// Reads the scheme with its optional parts. What is not given is that of `paper`, or suits the body:
+/// compatible bonds have beta 1.2 unless a lattice fills a box. Paper 000 has [jst].
+Method read_method(const Section& root, const Body& body);
 std::optional<Initial> read_initial(const Section& root, int dimension);
 std::vector<Boundary> read_boundaries(const Section& root, int dimension);
 std::optional<Output> read_output(const Section& root, const Body& body);

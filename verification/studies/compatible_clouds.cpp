@@ -21,6 +21,8 @@ const std::string folder = PLUMBLINE_SOURCE_DIR "/verification/studies/";
 const Set &compatible = reports::schemes()[0].set, &adjoint = reports::schemes()[1].set,
           &paper = reports::schemes()[2].set, &blue = reports::cloud_of("blue").set;
 
+const Set projected{"compatible.table=projected"};
+
 Set jitter(const std::string& fraction) {
   return {"body.jitter=" + fraction};
 }
@@ -71,6 +73,7 @@ void expect_no_order_2(const std::vector<mms::StudyFit>& fits) {
 
 TEST_CASE("compatible: static plate on jittered clouds and blue noise", "[compatible][clouds]") {
   expect_order_2(static_plate("lattice", compatible + jitter("0")));
+  expect_order_2(static_plate("lattice, projected", compatible + jitter("0") + projected));
   expect_order_2(static_plate("jitter 0.1", compatible + jitter("0.1")));
   expect_order_2(static_plate("blue noise", compatible + blue));
   expect_no_order_2(static_plate("blue noise, adjoint", adjoint + blue));
@@ -81,6 +84,7 @@ TEST_CASE("compatible: swinging plate at finite strain on jittered clouds and bl
           "[compatible][clouds]") {
   for (const char* fraction : {"0", "0.1", "0.2", "0.3"})
     expect_order_2(moving_plate(std::string("jitter ") + fraction, compatible + jitter(fraction)));
+  expect_order_2(moving_plate("lattice, projected", compatible + jitter("0") + projected));
   expect_order_2(moving_plate("blue noise", compatible + blue));
   for (const auto& [name, cloud] : {std::pair{"jitter 0.2", jitter("0.2")}, std::pair{"blue noise", blue}})
     expect_no_order_2(moving_plate(std::string(name) + ", adjoint", adjoint + cloud));

@@ -33,6 +33,7 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
   scene.body.layout = layout;
   scene.material = {"neo-hookean", 17e6, 0.3, 1100};
   scene.method.gradient = "compatible";
+  scene.method.compatible.table = "projected";  // lattices too
   std::vector<Expression> velocity = {Expression("1e-2*sin(9*X + 5*Y)", d),
                                       Expression("1e-2*sin(7*Y - 4*X)", d)};
   if (d == 3) velocity.emplace_back("1e-2*sin(8*Z + 3*X)", d);

@@ -10,6 +10,7 @@
 #include "mms/static_study.hpp"
 #include "places.hpp"
 #include "plumbline/compatible/lattice_closure.hpp"
+#include "plumbline/convergence/verdict.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
@@ -164,6 +165,23 @@ TEST_CASE("closure: static plate on rollers", "[closure]") {
   expect(0.495, 0.9, {6.002e-2, 1.467e-2, 3.648e-3, 9.108e-4});
   // bonds reach the nearest neighbours only: central differences alone
   expect(0.3, 0.6, {3.759e-2, 9.359e-3, 2.336e-3, 5.839e-4});
+  expect(0.4999, 0.6, {3.857e-2, 9.622e-3, 2.403e-3, 6.006e-4});  // nothing locks
+}
+
+// Bonds that reach two layers, by THEORY (11.15).
+TEST_CASE("closure: static plate with bonds of two layers", "[closure]") {
+  for (const double poisson : {0.3, 0.495}) {
+    std::vector<Level> levels;
+    for (const double spacing : {0.2, 0.1, 0.05, 0.025}) {
+      Scene scene = free_box({2, 2}, spacing, poisson);
+      use_standard_W0(scene);
+      scene.method.beta = 1.2;
+      levels.push_back({spacing, error_on_rollers<2>(scene, pi * pi / 2, plate_field)});
+    }
+    CHECK(levels[0].error == Approx(9.139e-2).epsilon(2e-4));  // an independent prototype
+    CHECK(levels[3].error == Approx(1.363e-3).epsilon(4e-4));
+    CHECK(judge(fit_order(levels), 2.0) == Verdict::pass);
+  }
 }
 
 TEST_CASE("closure: cube on rollers", "[closure]") {
@@ -188,7 +206,7 @@ TEST_CASE("closure: symbol of the family", "[closure]") {
     scene.method.compatible.start = start;
     const BondOptions<2> options = bond_options<2>(scene, 1);
     const Cloud<2> cloud = lattice<2>({Vec<2>::Zero(), Vec<2>::Constant(4)}, {4, 4}, Layout::node);
-    const double a = lattice_closure<2>(cloud, options).averaging[0].once[1];
+    const double a = averaging(lattice_closure<2>(cloud, options), 0, 1);
     const LatticeSymbol<2> symbol(options, scene.method.beta);
     for (const double tx : {0.1, 1.0, 2.5})
       for (const double ty : {0.2, 1.5, pi})
@@ -205,7 +223,7 @@ TEST_CASE("closure: energy of bending a body of few cells", "[closure]") {
     const Simulation<2> simulation = make_simulation<2>(scene);
     const Solid<2>& solid = simulation.solid;
     const double a =
-        lattice_closure<2>(solid.cloud, bond_options<2>(scene, solid.cloud.spacing)).averaging[1].once[0];
+        averaging(lattice_closure<2>(solid.cloud, bond_options<2>(scene, solid.cloud.spacing)), 1, 0);
     State<2> state = make_state(solid);
     for (Index i = 0; i < solid.cloud.size(); ++i) {
       const Vec<2>& X = solid.cloud.X[i];

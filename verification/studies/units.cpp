@@ -134,6 +134,7 @@ young = "17 MPa"
 poisson = 0.45
 density = 1100
 [method]
+gradient = "improved"
 cfl = 0.3
 [initial]
 velocity = ["2*sin(3*X+2*Y)", "3*cos(2*X-Y)"]
@@ -197,6 +198,7 @@ young = "17 MPa"
 poisson = 0.3
 density = 1100
 [method]
+gradient = "improved"
 cfl = 0.3
 [initial]
 spin = [10, 20, 30]

@@ -21,6 +21,7 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
   scene.body.layout = layout;
   scene.material = {"neo-hookean", 17e6, 0.3, 1100};
   scene.method.gradient = "compatible";
+  scene.method.compatible.table = "projected";  // lattices too
   return scene;
 }
 

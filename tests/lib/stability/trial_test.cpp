@@ -23,6 +23,8 @@ spacing = 0.1
 young = 17e6
 poisson = 0.3
 density = 1100
+[method]
+gradient = "improved"
 [initial]
 velocity = ["1e-3*sin(9*X+5*Y)", "1e-3*sin(7*Y-4*X)"]
 )toml";

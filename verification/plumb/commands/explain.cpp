@@ -107,7 +107,9 @@ Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& si
 
 template <int d>
 int explain(const Session& session, const Scene& scene, const std::string& shows) {
-  const auto projection = projection_cost<d>(scene, make_cloud<d>(scene.body));
+  std::optional<ProjectionCost> projection;
+  if (scene.method.gradient == "compatible")
+    projection = projection_cost<d>(scene, make_cloud<d>(scene.body));
   session.text() << text_of(projection) << std::flush;  // before it is spent
   Simulation<d> simulation = make_simulation<d>(scene);
   Json json = explanation(scene, shows, simulation);

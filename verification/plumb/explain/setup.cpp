@@ -30,7 +30,6 @@ double expected(const Cloud<d>& cloud, double R) {
 
 template <int d>
 std::optional<ProjectionCost> projection_cost(const Scene& scene, const Cloud<d>& cloud) {
-  if (scene.method.gradient != "compatible") return std::nullopt;
   const auto why = reason_to_project<d>(scene, cloud);
   if (!why) return std::nullopt;
   const double R = kernel_named<d>(scene.method.kernel).support * scene.method.beta * cloud.spacing;

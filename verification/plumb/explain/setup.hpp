@@ -12,8 +12,8 @@ struct ProjectionCost {
   double cpu_s;     ///< expected
 };
 
-/// By powers of the number of particles that were fitted to measurements (THEORY chapter 11); a factor of two
-/// is to be expected from machine to machine. nullopt if nothing is projected.
+/// For gradient = "compatible". By powers of the number of particles that were fitted to measurements (THEORY
+/// chapter 11); a factor of two is to be expected from machine to machine. nullopt if nothing is projected.
 template <int d>
 std::optional<ProjectionCost> projection_cost(const Scene& scene, const Cloud<d>& cloud);
 
