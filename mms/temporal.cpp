@@ -120,7 +120,7 @@ TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std:
 template <int d>
 TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
+  const Elastic elastic = in_dimension(d, study.material.elastic(), study.material.plane);
   const double end = end_time(study);
   const auto first_steps =
       static_cast<long>(std::ceil(2 * end * elastic.wave_speed() / study.spacings.front()));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <mutex>
@@ -29,12 +30,13 @@ namespace {
 constexpr std::array<const char*, 3> variables{"X", "Y", "Z"};
 
 std::string known_variables(int dimension) {
-  return dimension == 1 ? "X" : dimension == 2 ? "X, Y" : "X, Y, Z";
+  return dimension == 0 ? "t" : dimension == 1 ? "X" : dimension == 2 ? "X, Y" : "X, Y, Z";
 }
 
 std::string suggestion_for(const std::string& name, int dimension, const mu::Parser& parser) {
-  if (name == "x" || name == "y" || name == "z") return "capital letters stand for the reference coordinates";
-  if (name == "Z" || name == "Y") return fmt::format("the dimension is {}", dimension);
+  if (dimension > 0 && (name == "x" || name == "y" || name == "z"))
+    return "capital letters stand for the reference coordinates";
+  if (dimension > 0 && (name == "Z" || name == "Y")) return fmt::format("the dimension is {}", dimension);
   std::vector<std::string> known;
   for (const auto& entry : parser.GetVar()) known.push_back(entry.first);
   for (const auto& entry : parser.GetConst()) known.push_back(entry.first);
@@ -101,6 +103,7 @@ Expression::Expression(std::string text, int dimension, std::string where) {
   mu::Parser& parser = compiled->parser;
   for (int k = 0; k < dimension; ++k)
     parser.DefineVar(variables[static_cast<std::size_t>(k)], &compiled->X[static_cast<std::size_t>(k)]);
+  if (dimension == 0) parser.DefineVar("t", &compiled->X[0]);
   parser.DefineConst("pi", std::numbers::pi);
   int results = 0;
   try {
@@ -128,7 +131,7 @@ double Expression::at(const std::array<double, 3>& X) const {
   }
   if (std::isfinite(value)) return value;
   std::string point;
-  for (int k = 0; k < compiled_->dimension; ++k)
+  for (int k = 0; k < std::max(compiled_->dimension, 1); ++k)
     point += fmt::format("{}{:.6g}", k ? ", " : "", X[static_cast<std::size_t>(k)]);
   throw InputError(fmt::format("{}in \"{}\": the value at ({}) is {}", compiled_->prefix(), compiled_->text,
                                point, std::isnan(value) ? "not a number" : "infinite"),

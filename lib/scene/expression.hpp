@@ -12,9 +12,9 @@ namespace plumb {
 /// are evaluated at set-up only, never in a hot loop.
 class Expression {
  public:
-  /// Compiles `text` for a body of `dimension` 1, 2 or 3 (then only X; X, Y; X, Y, Z are known).
-  /// `where` is put in front of messages, such as "column.toml:12: initial.velocity".
-  /// Throws InputError, which names the unknown name and its position.
+  /// Compiles `text` for a body of `dimension` 1, 2 or 3 (then only X; X, Y; X, Y, Z are known); 0: a formula
+  /// of the time t [s] alone, which at({t}) evaluates. `where` is put in front of messages, such as
+  /// "column.toml:12: initial.velocity". Throws InputError, which names the unknown name and its position.
   explicit Expression(std::string text, int dimension = 3, std::string where = "");
 
   /// The constant `value`.

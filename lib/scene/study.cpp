@@ -80,7 +80,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   head.reject_unknown();
   study.expect = read_expect(root);
   study.body = read_body(root.section("body"), 0, false);
-  study.material = read_material(root.section("material"));
+  study.material = read_material(root.section("material"), study.dimension());
   study.method = read_method(root);
   study.jst = read_jst(root);
   study.hourglass = read_hourglass(root);

@@ -9,6 +9,7 @@
 #include "plumb/data_folder.hpp"
 #include "plumb/parts.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/material/law.hpp"
 
 namespace plumb {
 namespace {
@@ -28,6 +29,17 @@ Json scenes_in(const std::filesystem::path& folder) {
   return scenes;
 }
 
+/// The keys of [material] that a law has beside young, poisson and density.
+Json parameters_json(std::string_view law) {
+  Json all = Json::array();
+  for (const LawParameter& about : parameters_of_law(law))
+    all.push_back({{"name", about.name},
+                   {"unit", about.quantity.unit},
+                   {"meaning", about.meaning},
+                   {"required", about.required}});
+  return all;
+}
+
 /// Names by kind, "kernels": [..], and "parts" with what is known of each.
 Json listed() {
   Json names = Json::object(), rows = Json::array();
@@ -42,6 +54,7 @@ Json listed() {
       names[plural].push_back(part.name);
       rows.push_back(
           {{"kind", kind}, {"name", part.name}, {"meaning", part.meaning}, {"theory", part.theory}});
+      if (part.kind == "material") rows.back()["parameters"] = parameters_json(part.name);
     }
   }
   const auto folder = data_folder() / "verification" / "scenes";
@@ -58,6 +71,13 @@ void tell(std::ostream& out, const Json& json) {
     const std::string theory = part["theory"];
     out << fmt::format("  {:<14} {}{}\n", part["name"].get<std::string>(), part["meaning"].get<std::string>(),
                        theory.empty() ? "" : ". " + theory);
+    if (!part.contains("parameters")) continue;
+    for (const auto& about : part["parameters"]) {
+      const std::string unit = about["unit"];
+      out << fmt::format("  {:<14}   {}{}: {}{}\n", "", about["name"].get<std::string>(),
+                         unit.empty() ? "" : " [" + unit + "]", about["meaning"].get<std::string>(),
+                         about["required"].get<bool>() ? ", required" : "");
+    }
   }
   if (json["scenes"].empty()) return;
   const std::filesystem::path first = json["scenes"][0]["file"].get<std::string>();
