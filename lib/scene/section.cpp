@@ -192,7 +192,13 @@ std::vector<std::string> Section::texts(const std::string& key) const {
 
 Expression Section::as_formula(const TomlValue& value, const std::string& key, int dimension,
                                const Quantity& expected) const {
-  if (!value.is(TomlValue::Kind::text) || looks_measured(value.text))
+  // "0.1*t" is also a tenth of a tonne: of the time it is a formula unless its unit is the one that is
+  // expected
+  const auto measured = [&] {
+    return looks_measured(value.text) &&
+           (dimension > 0 || parse_measured(value.text).dimension == expected.dimension);
+  };
+  if (!value.is(TomlValue::Kind::text) || measured())
     return Expression::constant(as_number(value, key, expected, Sign::any));
   try {
     return Expression(value.text, dimension, text_of(value.where) + ": " + dotted(key));

@@ -13,8 +13,7 @@
 namespace plumb {
 namespace {
 
-const Elastic copper_elastic{117e9, 0.35, 8930},
-    steel_elastic{206.9e9, 0.29, 7850};
+const Elastic copper_elastic{117e9, 0.35, 8930}, steel_elastic{206.9e9, 0.29, 7850};
 const J2Logarithmic copper(copper_elastic, {0.4e9, 0.1e9, std::nullopt, 0});
 const J2Logarithmic steel(steel_elastic, {0.45e9, 129.24e6, 0.715e9, 16.93});
 
@@ -33,29 +32,26 @@ Mat<3> stretched(double by) {
 }
 
 class Random {
-public:
-  double next() {
-    return 2 * static_cast<double>(random_() >> 11) * 0x1p-53 - 1;
-  }
+ public:
+  double next() { return 2 * static_cast<double>(random_() >> 11) * 0x1p-53 - 1; }
   Mat<3> deformation(double size) {
     Mat<3> F = Mat<3>::Identity();
-    for (int n = 0; n < 9; ++n)
-      F(n / 3, n % 3) += size * next();
+    for (int n = 0; n < 9; ++n) F(n / 3, n % 3) += size * next();
     return F;
   }
   Mat<3> rotation() {
-    return Eigen::Quaterniond(next(), next(), next(), next())
-        .normalized()
-        .toRotationMatrix();
+    return Eigen::Quaterniond(next(), next(), next(), next()).normalized().toRotationMatrix();
   }
 
-private:
+ private:
   std::mt19937_64 random_{11};
 };
 
 // Printed values have 15 digits; stresses are differences of numbers of size
 // kappa = 130 and 164 GPa.
 constexpr double digits = 1e-14, of_stress = 1e-15 * 200e9 * 10;
+// An increment rounds some twenty times (an eigenproblem and products of matrices), by 2e-16 each.
+constexpr double ten_steps = 10 * 20 * 2e-16;
 
 TEST(J2Logarithmic, CheckValuesOfCopper) {
   J2Logarithmic::History history;
@@ -67,7 +63,7 @@ TEST(J2Logarithmic, CheckValuesOfCopper) {
   EXPECT_NEAR(r.P(1, 0), 234968915.035566, of_stress);
   EXPECT_NEAR(history.Cp_inverse(0, 0), 1.00920272837478, digits);
   EXPECT_NEAR(history.Cp_inverse(0, 1), -0.0945790731988506, digits);
-  EXPECT_EQ(r.iterations, 1); // linear hardening
+  EXPECT_EQ(r.iterations, 1);  // linear hardening
   r = copper.stress(second(), history);
   EXPECT_NEAR(history.plastic_strain, 0.147010167531522, digits);
   EXPECT_NEAR(r.equivalent, 414701016.753153, of_stress);
@@ -92,26 +88,24 @@ TEST(J2Logarithmic, CheckValuesOfSteelThatSaturates) {
 }
 
 TEST(J2Logarithmic,
-     IsochoricStretchHasAClosedForm) { // a = (3 mu ln s - tau_0)/(3 mu + H), in
-                                       // one step or many
+     IsochoricStretchHasAClosedForm) {  // a = (3 mu ln s - tau_0)/(3 mu + H), in
+                                        // one step or many
   const double mu = copper_elastic.shear_modulus(), s = 1.1;
   const double expected = (3 * mu * std::log(s) - 0.4e9) / (3 * mu + 0.1e9);
   EXPECT_NEAR(expected, 0.0921623626023231, 1e-15);
   for (const int steps : {1, 7, 50}) {
     J2Logarithmic::History history;
     Response r;
-    for (int n = 1; n <= steps; ++n)
-      r = copper.stress(stretched(std::pow(s, double(n) / steps)), history);
+    for (int n = 1; n <= steps; ++n) r = copper.stress(stretched(std::pow(s, double(n) / steps)), history);
     EXPECT_NEAR(history.plastic_strain, expected,
-                digits); // radial: steps make no difference
+                digits);  // radial: steps make no difference
     EXPECT_NEAR(r.equivalent, 0.4e9 + 0.1e9 * expected, of_stress);
   }
 }
 
 TEST(J2Logarithmic, WithInfiniteYieldStressItIsHenckysElasticLaw) {
   const double inf = std::numeric_limits<double>::infinity();
-  const J2Logarithmic law({2.5, 0.25, 1},
-                          {inf, 0, std::nullopt, 0}); // mu = 1, kappa = 5/3
+  const J2Logarithmic law({2.5, 0.25, 1}, {inf, 0, std::nullopt, 0});  // mu = 1, kappa = 5/3
   J2Logarithmic::History history;
   Mat<3> F;
   F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.15, -0.2, 0.1, 1.2;
@@ -131,7 +125,7 @@ TEST(J2Logarithmic, WithInfiniteYieldStressItIsHenckysElasticLaw) {
 /// Ten random increments; check(F before, history before, F, history,
 /// response).
 template <class Check>
-void along_a_path(const J2Logarithmic &law, Check &&check) {
+void along_a_path(const J2Logarithmic& law, Check&& check) {
   Random random;
   J2Logarithmic::History history;
   Mat<3> F = Mat<3>::Identity();
@@ -145,20 +139,19 @@ void along_a_path(const J2Logarithmic &law, Check &&check) {
 }
 
 TEST(J2Logarithmic, PlasticFlowKeepsTheVolumeAndDissipates) {
-  for (const J2Logarithmic &law : {copper, steel})
-    along_a_path(law, [&](const Mat<3> &, const auto &before, const Mat<3> &F,
-                          const auto &history, const Response &r) {
-      EXPECT_NEAR(history.Cp_inverse.determinant(), 1,
-                  1e-14); // ten steps of round-off
-      EXPECT_GE(history.plastic_strain, before.plastic_strain);
-      EXPECT_GE(r.plastic_work, 0);
-      EXPECT_NEAR(r.equivalent, law.yield_at(history.plastic_strain).value,
-                  of_stress); // each of them yields
-      const Mat<3> tau = r.P * F.transpose();
-      EXPECT_LT((tau - tau.transpose()).norm(), of_stress);
-      const Mat<3> deviator = tau - tau.trace() / 3 * Mat<3>::Identity();
-      EXPECT_NEAR(r.equivalent, std::sqrt(1.5) * deviator.norm(), of_stress);
-    });
+  for (const J2Logarithmic& law : {copper, steel})
+    along_a_path(
+        law, [&](const Mat<3>&, const auto& before, const Mat<3>& F, const auto& history, const Response& r) {
+          EXPECT_NEAR(history.Cp_inverse.determinant(), 1, ten_steps);
+          EXPECT_GE(history.plastic_strain, before.plastic_strain);
+          EXPECT_GE(r.plastic_work, 0);
+          EXPECT_NEAR(r.equivalent, law.yield_at(history.plastic_strain).value,
+                      of_stress);  // each of them yields
+          const Mat<3> tau = r.P * F.transpose();
+          EXPECT_LT((tau - tau.transpose()).norm(), of_stress);
+          const Mat<3> deviator = tau - tau.trace() / 3 * Mat<3>::Identity();
+          EXPECT_NEAR(r.equivalent, std::sqrt(1.5) * deviator.norm(), of_stress);
+        });
 }
 
 // Work done on the point from rest, less the elastic energy that is stored, is
@@ -170,7 +163,7 @@ TEST(J2Logarithmic, WorkIsElasticEnergyAndPlasticWork) {
   double work = 0, plastic = 0;
   for (int n = 1; n <= 400; ++n) {
     const double t = n / 400.0;
-    Mat<3> F = sheared(0.2 * std::sin(4 * t)); // forwards and back
+    Mat<3> F = sheared(0.2 * std::sin(4 * t));  // forwards and back
     F(2, 2) += 0.02 * t;
     const Response r = steel.stress(F, history);
     work += 0.5 * ((P_last + r.P).cwiseProduct(F - last)).sum();
@@ -179,7 +172,7 @@ TEST(J2Logarithmic, WorkIsElasticEnergyAndPlasticWork) {
     P_last = r.P;
   }
   EXPECT_NEAR(work - steel.energy(last, history), plastic, 2e-3 * plastic);
-  EXPECT_GT(plastic, 50e6); // 600 MPa times .15
+  EXPECT_GT(plastic, 50e6);  // 600 MPa times .15
 }
 
 TEST(J2Logarithmic, ARotationTurnsTheStressAndLeavesTheHistory) {
@@ -189,17 +182,15 @@ TEST(J2Logarithmic, ARotationTurnsTheStressAndLeavesTheHistory) {
   for (int n = 0; n < 10; ++n) {
     F = random.deformation(0.04) * F;
     const Mat<3> Q = random.rotation();
-    const Mat<3> P = steel.stress(F, still).P,
-                 R = steel.stress(Mat<3>(Q * F), turned).P;
+    const Mat<3> P = steel.stress(F, still).P, R = steel.stress(Mat<3>(Q * F), turned).P;
     EXPECT_LT((R - Q * P).norm(), 10 * of_stress);
-    EXPECT_LT((still.Cp_inverse - turned.Cp_inverse).norm(), 1e-14);
-    EXPECT_NEAR(still.plastic_strain, turned.plastic_strain, 1e-14);
+    EXPECT_LT((still.Cp_inverse - turned.Cp_inverse).norm(), ten_steps);
+    EXPECT_NEAR(still.plastic_strain, turned.plastic_strain, ten_steps);
   }
 }
 
 TEST(J2Logarithmic, TangentIsTheDerivativeOfTheAlgorithm) {
-  const auto compare = [](const J2Logarithmic &law, const Mat<3> &F,
-                          const J2Logarithmic::History &before) {
+  const auto compare = [](const J2Logarithmic& law, const Mat<3>& F, const J2Logarithmic::History& before) {
     const Mat<9> A = law.tangent(F, before);
     // fourth order with h = 1e-3: h^4/30 times a fifth derivative of some 1e3,
     // and round-off of 1e-16/h
@@ -212,17 +203,14 @@ TEST(J2Logarithmic, TangentIsTheDerivativeOfTheAlgorithm) {
         return law.stress(G, scratch).P;
       };
       const Mat<3> slope = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
-      for (int m = 0; m < 9; ++m)
-        EXPECT_NEAR(A(m, n), slope(m / 3, m % 3), 1e-8 * A.norm())
-            << m << ' ' << n;
+      for (int m = 0; m < 9; ++m) EXPECT_NEAR(A(m, n), slope(m / 3, m % 3), 1e-8 * A.norm()) << m << ' ' << n;
     }
   };
-  for (const J2Logarithmic &law : {copper, steel})
-    along_a_path(law, [&](const Mat<3> &, const auto &before, const Mat<3> &F,
-                          const auto &,
-                          const Response &) { compare(law, F, before); });
-  const J2Logarithmic hard(copper_elastic, {1e12, 0, std::nullopt,
-                                            0}); // elastic, and equal stretches
+  for (const J2Logarithmic& law : {copper, steel})
+    along_a_path(law, [&](const Mat<3>&, const auto& before, const Mat<3>& F, const auto&, const Response&) {
+      compare(law, F, before);
+    });
+  const J2Logarithmic hard(copper_elastic, {1e12, 0, std::nullopt, 0});  // elastic, and equal stretches
   compare(hard, Mat<3>::Identity(), {});
   compare(hard, stretched(1.3), {});
   compare(copper, stretched(1.3), {});
@@ -230,8 +218,7 @@ TEST(J2Logarithmic, TangentIsTheDerivativeOfTheAlgorithm) {
 
 TEST(J2Logarithmic, TangentAtRestIsThatOfTheElasticConstants) {
   const Mat<9> A = copper.tangent(Mat<3>::Identity(), {});
-  const double mu = copper_elastic.shear_modulus(),
-               lambda = copper_elastic.lame(), E = copper_elastic.young;
+  const double mu = copper_elastic.shear_modulus(), lambda = copper_elastic.lame(), E = copper_elastic.young;
   EXPECT_NEAR(A(0, 0), lambda + 2 * mu, 1e-14 * E);
   EXPECT_NEAR(A(0, 4), lambda, 1e-14 * E);
   EXPECT_NEAR(A(1, 1), mu, 1e-14 * E);
@@ -242,19 +229,15 @@ TEST(ReturnMapping, StaysInItsBracketWhereNewtonAloneWouldLeaveIt) {
   // flat, steep between 0.5 and 0.6, flat: Newton alone goes from 1 to 0.03 and
   // back for ever
   const auto yield = [](double g) {
-    return g < 0.5   ? Yield{1, 0}
-           : g < 0.6 ? Yield{1 + 29 * (g - 0.5), 29}
-                     : Yield{3.9, 0};
+    return g < 0.5 ? Yield{1, 0} : g < 0.6 ? Yield{1 + 29 * (g - 0.5), 29} : Yield{3.9, 0};
   };
   const PlasticIncrement found = plastic_increment(4.0, 1.0, yield);
   EXPECT_NEAR(found.strain, 17.5 / 32, 1e-15);
-  EXPECT_LE(found.iterations, 60); // halving gains a bit each time
-  const PlasticIncrement linear = plastic_increment(4.0, 1.0, [](double g) {
-    return Yield{1 + 2 * g, 2};
-  });
+  EXPECT_LE(found.iterations, 60);  // halving gains a bit each time
+  const PlasticIncrement linear = plastic_increment(4.0, 1.0, [](double g) { return Yield{1 + 2 * g, 2}; });
   EXPECT_NEAR(linear.strain, 0.6, 1e-15);
   EXPECT_EQ(linear.iterations, 1);
 }
 
-} // namespace
-} // namespace plumb
+}  // namespace
+}  // namespace plumb
