@@ -73,6 +73,7 @@ InputError unknown_unit(std::string_view symbol) {
 
 /// The unit of a symbol, whole first ("min" is not milli-inch), then prefix and rest.
 Unit find_unit(std::string_view symbol) {
+  if (symbol == "1") return {symbol, 1, {}, false};  // "5 1/s"
   for (const auto& unit : units)
     if (unit.symbol == symbol) return unit;
   for (const auto& prefix : prefixes) {
