@@ -7,7 +7,7 @@
 
 #include "mms/catalogue.hpp"
 #include "mms/derive.hpp"
-#include "plumbline/material/catalogue.hpp"
+#include "plumbline/material/laws.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -143,7 +143,7 @@ void compare_once(Draw& draw, SolutionCheck& check) {
 std::vector<SolutionCheck> check_solution(std::string_view name, std::size_t points, std::uint64_t seed) {
   std::vector<SolutionCheck> checks;
   const bool known = with_named(SolutionCatalogue{}, name, [&]<class S>(Type<S>) {
-    for_each_type(MaterialCatalogue{}, [&]<class M>(Type<M>) {
+    for_each_type(ElasticLaws{}, [&]<class M>(Type<M>) {
       const auto in = [&]<int d>(std::integral_constant<int, d>) {
         if constexpr (S::template in_dimension<d>) {
           SolutionCheck check{std::string(S::name), std::string(M::name), d, points, 0, 0, 0, false};

@@ -132,8 +132,8 @@ double end_time(const Study& study) {
 
 template <int d>
 Manufactured<d> solution_of(const Study& study) {
-  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
-  Manufactured<d> solution = manufactured<d>(study.solution, study.parameters, elastic, study.material.model);
+  Manufactured<d> solution =
+      manufactured<d>(study.solution, study.parameters, study.material.elastic(), study.material.law());
   check_domain(study, solution);
   return solution;
 }

@@ -1,7 +1,7 @@
 #include "mms/manufactured.hpp"
 
 #include "mms/catalogue.hpp"
-#include "plumbline/material/catalogue.hpp"
+#include "plumbline/material/laws.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -45,26 +45,25 @@ SolutionEntry solution_entry(std::string_view name) {
 
 template <int d>
 Manufactured<d> manufactured(std::string_view name, const std::map<std::string, double>& parameters,
-                             const Elastic& elastic, std::string_view material) {
+                             const Elastic& elastic, const LawChoice& law) {
   Manufactured<d> out;
   out.density = elastic.density;
   Parameters values = solution_entry(name).parameters;
   for (const auto& entry : parameters) values.set(entry.first, entry.second);
   with_named(SolutionCatalogue{}, name, [&]<class S>(Type<S>) {
     if constexpr (S::template in_dimension<d>)
-      fill_motion<d>(S(values, elastic), out);
+      fill_motion<d>(S(values, in_dimension(d, elastic, law.plane)), out);
     else
       throw InputError("the solution " + std::string(name) + " does not exist in " + std::to_string(d) + "D",
                        "", "See `plumb mms --list`.");
   });
-  if (!with_named(MaterialCatalogue{}, material, [&]<class M>(Type<M>) { fill_stress<d>(M(elastic), out); }))
-    throw unknown_name("material", material, names_of(MaterialCatalogue{}));
+  with_elastic_law<d>(law, elastic, [&](const auto& material) { fill_stress<d>(material, out); });
   return out;
 }
 
 template Manufactured<2> manufactured<2>(std::string_view, const std::map<std::string, double>&,
-                                         const Elastic&, std::string_view);
+                                         const Elastic&, const LawChoice&);
 template Manufactured<3> manufactured<3>(std::string_view, const std::map<std::string, double>&,
-                                         const Elastic&, std::string_view);
+                                         const Elastic&, const LawChoice&);
 
 }  // namespace plumb::mms

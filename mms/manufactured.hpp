@@ -7,7 +7,7 @@
 #include "mms/derive.hpp"
 #include "mms/domain.hpp"
 #include "mms/parameters.hpp"
-#include "plumbline/material/material.hpp"
+#include "plumbline/material/law.hpp"
 
 namespace plumb::mms {
 
@@ -51,9 +51,9 @@ SolutionEntry solution_entry(std::string_view name);
 
 /// The solution of that name with parameters (those left out keep their defaults) for a material of the
 /// library. InputError for unknown names, values out of range, or a dimension that the solution does not
-/// exist in.
+/// exist in. Under plane stress the solution's waves and periods are those of (4.11).
 template <int d>
 Manufactured<d> manufactured(std::string_view name, const std::map<std::string, double>& parameters,
-                             const Elastic& elastic, std::string_view material = "neo-hookean");
+                             const Elastic& elastic, const LawChoice& law = LawChoice("neo-hookean"));
 
 }  // namespace plumb::mms

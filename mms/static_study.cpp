@@ -198,8 +198,8 @@ std::vector<StudyFit> fits_of(const Study& study, const std::vector<StaticLevel>
 
 template <int d>
 StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
-  const auto solution = manufactured<d>(study.solution, study.parameters, elastic, study.material.model);
+  const auto solution =
+      manufactured<d>(study.solution, study.parameters, study.material.elastic(), study.material.law());
   if (solution.domain.shape != Domain<d>::Shape::box || study.body.layout != Layout::node)
     throw InputError("a static study needs a box with particles on its surface",
                      "displacements are prescribed there", "Use layout = \"node\" and a solution on a box.");

@@ -125,7 +125,7 @@ std::vector<std::string> notes_on(const Study& study) {
 template <int d>
 TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  const Elastic elastic{study.material.young, study.material.poisson, study.material.density};
+  const Elastic elastic = in_dimension(d, study.material.elastic(), study.material.plane);
   const double end = end_time(study);
   const double first_step = study.method.time_step.value_or(study.method.cfl.value_or(0) *
                                                             study.spacings.front() / elastic.wave_speed());

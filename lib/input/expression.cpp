@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <mutex>
@@ -32,15 +33,17 @@ namespace {
 constexpr std::array<const char*, 3> coordinates{"X", "Y", "Z"};
 
 std::string known_variables(int dimension, Variables variables) {
+  if (dimension == 0) return "t";
   const std::string space = dimension == 1 ? "X" : dimension == 2 ? "X, Y" : "X, Y, Z";
   return variables == Variables::space ? space : space + ", t";
 }
 
 std::string suggestion_for(const std::string& name, int dimension, const mu::Parser& parser) {
-  if (name == "x" || name == "y" || name == "z") return "capital letters stand for the reference coordinates";
+  if (dimension > 0 && (name == "x" || name == "y" || name == "z"))
+    return "capital letters stand for the reference coordinates";
   if (name == "t" || name == "T" || name == "time")
     return parser.GetVar().contains("t") ? "write t for the time" : "what it says holds for the whole run";
-  if (name == "Z" || name == "Y") return fmt::format("the dimension is {}", dimension);
+  if (dimension > 0 && (name == "Z" || name == "Y")) return fmt::format("the dimension is {}", dimension);
   std::vector<std::string> known;
   for (const auto& entry : parser.GetVar()) known.push_back(entry.first);
   for (const auto& entry : parser.GetConst()) known.push_back(entry.first);
@@ -143,7 +146,7 @@ double Expression::at(const std::array<double, 3>& X, double time) const {
   std::string point;
   for (int k = 0; k < compiled_->dimension; ++k)
     point += fmt::format("{}{:.6g}", k ? ", " : "", X[static_cast<std::size_t>(k)]);
-  if (compiled_->uses_time) point += fmt::format(", t = {:.6g}", time);
+  if (compiled_->uses_time) point += fmt::format("{}t = {:.6g}", point.empty() ? "" : ", ", time);
   throw InputError(fmt::format("{}in \"{}\": the value at ({}) is {}", compiled_->prefix(), compiled_->text,
                                point, std::isnan(value) ? "not a number" : "infinite"),
                    "division by zero, or a function outside its domain", "change the formula there");

@@ -19,7 +19,8 @@ enum class Variables {
 /// load or a motion depends on time.
 class Expression {
  public:
-  /// Compiles `text` for a body of `dimension` 1, 2 or 3 (then only X; X, Y; X, Y, Z are known).
+  /// Compiles `text` for a body of `dimension` 1, 2 or 3 (then only X; X, Y; X, Y, Z are known); 0 with
+  /// space_and_time: a formula of the time alone.
   /// `where` is put in front of messages, such as "column.toml:12: initial.velocity".
   /// Throws InputError, which names the unknown name and its position.
   explicit Expression(std::string text, int dimension = 3, std::string where = "",

@@ -236,6 +236,33 @@ std::vector<Expression> Section::formulas(const std::string& key, int dimension,
   return all;
 }
 
+template <class Read>
+auto Section::square_of(const std::string& key, Read&& read) const {
+  std::vector<std::vector<decltype(read(TomlValue()))>> rows;
+  const TomlValue& all = array(key, 0, "rows");
+  for (const auto& row : all.items) {
+    if (!row.is(TomlValue::Kind::array)) wrong_type(row, key, "an array of rows", "write [[a, b], [c, d]]");
+    if (row.items.size() != all.items.size() || row.items.size() > 3)
+      fail(key, fmt::format("a row of {} in an array of {} rows", row.items.size(), all.items.size()),
+           "it must be square, of at most three rows");
+    rows.emplace_back();
+    for (const auto& item : row.items) rows.back().push_back(read(item));
+  }
+  return rows;
+}
+
+std::vector<std::vector<double>> Section::number_rows(const std::string& key,
+                                                      const Quantity& expected) const {
+  return square_of(key, [&](const TomlValue& item) { return as_number(item, key, expected, Sign::any); });
+}
+
+std::vector<std::vector<Expression>> Section::formula_rows(const std::string& key,
+                                                           const Quantity& expected) const {
+  return square_of(key, [&](const TomlValue& item) {
+    return as_formula(item, key, 0, expected, Variables::space_and_time);
+  });
+}
+
 Section Section::section(const std::string& key) const {
   const TomlValue& value = required(key);
   if (!value.is(TomlValue::Kind::table))

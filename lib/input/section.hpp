@@ -10,9 +10,6 @@
 
 namespace plumb {
 
-/// What a number must satisfy, with the words for it.
-enum class Sign { any, positive, not_negative };
-
 /// A section of a scene or study file as its reader sees it. Every getter marks its key as known; after the
 /// last one reject_unknown() refuses whatever else stands there. So a reader is the declaration of its
 /// section. Getters throw SceneError with file, line and key for a wrong type, unit or range; those without a
@@ -59,6 +56,10 @@ class Section {
   std::vector<Expression> formulas(const std::string& key, int dimension, const Quantity& expected,
                                    Variables variables = Variables::space) const;
 
+  /// A square array of rows of numbers, and of formulas of the time t.
+  std::vector<std::vector<double>> number_rows(const std::string& key, const Quantity& expected) const;
+  std::vector<std::vector<Expression>> formula_rows(const std::string& key, const Quantity& expected) const;
+
   /// A section within this one.
   Section section(const std::string& key) const;
   std::optional<Section> optional_section(const std::string& key) const;
@@ -85,6 +86,9 @@ class Section {
   Expression as_formula(const TomlValue& value, const std::string& key, int dimension,
                         const Quantity& expected, Variables variables) const;
   const TomlValue& array(const std::string& key, std::size_t count, const std::string& of_what) const;
+  /// The entries of a square array, each by read(value).
+  template <class Read>
+  auto square_of(const std::string& key, Read&& read) const;
   [[noreturn]] void wrong_type(const TomlValue& value, const std::string& key, const std::string& expected,
                                const std::string& suggestion = "") const;
 

@@ -112,7 +112,7 @@ std::pair<std::string_view, int> split_power(std::string_view factor) {
   std::size_t end = factor.size();
   while (hat == std::string_view::npos && end > 0 && is_digit(factor[end - 1])) --end;
   if (end < factor.size() && end > 0 && factor[end - 1] == '-') --end;
-  if (hat == std::string_view::npos && end == factor.size()) return {factor, 1};
+  if (hat == std::string_view::npos && (end == factor.size() || end == 0)) return {factor, 1};
   const std::string_view digits = factor.substr(hat == std::string_view::npos ? end : hat + 1);
   int power = 0;
   const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
@@ -186,6 +186,7 @@ Measured parse_measured(std::string_view written) {
     throw InputError(fmt::format("\"{}\" is not a quantity", text), "it must begin with a number",
                      "write for example \"17 MPa\"");
   refuse_fraction(text, *number, rest);
+  if (rest.starts_with("1/")) rest.remove_prefix(1);  // "5 1/s" is 5/s
   Measured result{1.0, {}};
   int sign = 1;
   bool operand_due = false;

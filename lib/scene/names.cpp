@@ -61,6 +61,9 @@ std::vector<std::string> wave_speed_names() {
 std::vector<std::string> material_names() {
   return names_of(MaterialCatalogue{});
 }
+std::vector<std::string> plane_names() {
+  return {"strain", "stress"};
+}
 std::vector<std::string> shape_names() {
   return shape_catalogue_names();
 }
@@ -102,6 +105,7 @@ std::vector<SceneChoice> scene_choices() {
           {"body.cloud", "cloud", cloud_names()},
           {"body.layout", "layout", layout_names()},
           {"material.model", "material", material_names()},
+          {"material.plane", "plane", plane_names()},
           {"method.kernel", "kernel", kernel_names()},
           {"method.pair", "pair", pair_names()},
           {"method.gradient", "gradient", gradient_names()},

@@ -22,6 +22,7 @@ std::vector<std::string> momentum_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> wave_speed_names();
 std::vector<std::string> material_names();
+std::vector<std::string> plane_names();
 std::vector<std::string> shape_names();
 std::vector<std::string> cloud_names();
 std::vector<std::string> layout_names();

@@ -7,22 +7,6 @@
 
 namespace plumb {
 
-MaterialChoice read_material(const Section& section) {
-  MaterialChoice material;
-  material.model = section.choice_or("model", material.model, material_names());
-  material.young = section.number("young", quantity::stress, Sign::positive);
-  material.poisson = section.number("poisson", quantity::number);
-  if (material.poisson >= 0.5)
-    section.fail("poisson", fmt::format("{} is too large", material.poisson),
-                 "at 0.5 the material is incompressible and its bulk modulus infinite", "use at most 0.4999");
-  if (material.poisson <= -1.0)
-    section.fail("poisson", fmt::format("{} is too small", material.poisson),
-                 "at -1 the shear modulus is infinite", "common solids have 0 to 0.5");
-  material.density = section.number("density", quantity::density, Sign::positive);
-  section.reject_unknown();
-  return material;
-}
-
 namespace {
 
 Compatible read_compatible(const Section& root, const Method& method) {

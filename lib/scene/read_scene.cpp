@@ -60,7 +60,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
     head.fail("end_time", "missing key", "neither end_time nor max_steps says when to stop",
               "add end_time = \"0.1 s\" or max_steps = 100");
   scene.body = read_body(root.section("body"), scene.dimension, true);
-  scene.material = read_material(root.section("material"));
+  scene.material = read_material(root.section("material"), scene.dimension);
   scene.method = read_method(root, scene.body);
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);

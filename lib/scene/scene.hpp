@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "plumbline/geometry/shape.hpp"
 #include "plumbline/hourglass/hourglass_options.hpp"
 #include "plumbline/input/expression.hpp"
+#include "plumbline/material/law.hpp"
 #include "plumbline/projection/projection_options.hpp"
 #include "plumbline/time/default_cfl.hpp"
 
@@ -48,12 +50,17 @@ struct Body {
 /// Throws InputError when d does not divide the size; it then names the nearest spacings that do.
 Body with_spacing(Body body, double d);
 
-/// [material]: homogeneous and elastic. (`Material` is the concept that models meet.)
+/// [material]: one law for the whole body. (`MaterialModel` is the concept that models meet.)
 struct MaterialChoice {
   std::string model = "neo-hookean";
   double young = 0.0;    ///< E [Pa] > 0, required
   double poisson = 0.0;  ///< -1 < nu < 0.5, required
   double density = 0.0;  ///< rho of the reference [kg/m^3] > 0, required
+  std::map<std::string, double> parameters = {};  ///< the law's own that are given, in SI units
+  Plane plane = Plane::strain;                    ///< of bodies in 2D
+
+  Elastic elastic() const { return {young, poisson, density}; }
+  LawChoice law() const { return {model, parameters, plane}; }
 };
 
 /// [compatible]: how the table of gradient = "compatible" is made (THEORY chapter 11).
@@ -160,7 +167,7 @@ struct Output {
 /// A scene: everything a run needs. At least one of end_time and max_steps is given.
 struct Scene {
   std::string name;
-  int dimension = 0;               ///< 2 (plane strain) or 3
+  int dimension = 0;               ///< 2 or 3
   std::optional<double> end_time;  ///< [s]
   std::optional<long> max_steps;
   Body body;

@@ -13,6 +13,7 @@
 #include "plumbline/scene/actions_of_scene.hpp"
 #include "plumbline/scene/compatible_table.hpp"
 #include "plumbline/scene/warnings.hpp"
+#include "plumbline/solid/make_solid.hpp"
 #include "plumbline/solid/part_site.hpp"
 
 namespace plumb {
@@ -155,7 +156,6 @@ Simulation<d> make_simulation(const Scene& scene) {
 
 template <int d>
 Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
-  const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   Simulation<d> simulation;
   std::vector<std::string> warnings;
@@ -169,7 +169,7 @@ Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud, std::optional<
   if (scene.method.gradient == "compatible")
     simulation.compatible = make_it_compatible<d>(options, scene, cloud, surface);
   if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
-  simulation.solid = make_solid<d>(std::move(cloud), scene.material.model, elastic, options);
+  simulation.solid = make_solid<d>(std::move(cloud), scene.material.law(), scene.material.elastic(), options);
   if (simulation.compatible && simulation.compatible->largest_change > large_change)
     warnings.push_back(large_change_text<d>(simulation.compatible->largest_change));
   simulation.state = make_state(simulation.solid);

@@ -80,7 +80,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   head.reject_unknown();
   study.expect = read_expect(root);
   study.body = read_body(root.section("body"), 0, false);
-  study.material = read_material(root.section("material"));
+  study.material = read_material(root.section("material"), study.dimension());
   study.method = read_method(root, study.body);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);

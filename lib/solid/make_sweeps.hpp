@@ -1,7 +1,7 @@
 #pragma once
-#include <complex>
 #include <memory>
 
+#include "plumbline/material/tangent.hpp"
 #include "plumbline/solid/lattice_sweeps.hpp"
 #include "plumbline/solid/solid.hpp"
 #include "plumbline/solid/sweeps.hpp"
@@ -9,20 +9,6 @@
 /// The loops behind Sweeps, made for a material. Apart from solid.hpp, so that only who makes loops compiles
 /// them.
 namespace plumb {
-
-/// By complex step (exact to round-off): Im P(F + i s D) / s has no cancellation, so that s may be tiny.
-template <int d, MaterialModel<d> M>
-Tangent<d> tangent_of(const M& material, const Mat<d>& F) {
-  constexpr double step = 1e-100;
-  Tangent<d> tangent;
-  for (int n = 0; n < d * d; ++n) {
-    Mat<d, std::complex<double>> Fs = F.template cast<std::complex<double>>();
-    Fs(n / d, n % d) += std::complex<double>(0, step);
-    const Mat<d, std::complex<double>> P = material.first_piola(Fs);
-    for (int m = 0; m < d * d; ++m) tangent(m, n) = P(m / d, m % d).imag() / step;
-  }
-  return tangent;
-}
 
 /// The loops of material M over packs of W, where gradient(bonds, u, pack) finds F.
 template <int d, int W, MaterialModel<d> M, class Gradient>

@@ -1,35 +1,51 @@
 #include "plumbline/solid/solid.hpp"
 
+#include "plumbline/core/error.hpp"
 #include "plumbline/material/catalogue.hpp"
 #include "plumbline/solid/kinematics.hpp"
-#include "plumbline/solid/make_sweeps.hpp"
+#include "plumbline/solid/make_solid.hpp"
 #include "plumbline/solid/mirror.hpp"
 
 namespace plumb {
 
+/// In the source of law M (law_sweeps.hpp).
+template <int d, class M>
+Sweeps<d> law_sweeps(const LawChoice& choice, const Elastic& elastic, const BondTable<d>& bonds);
+
 template <int d>
-Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds) {
+Sweeps<d> sweeps_of_choice(const LawChoice& law, const Elastic& elastic, const BondTable<d>& bonds) {
   Sweeps<d> sweeps;
-  if (!with_named(MaterialCatalogue{}, material,
-                  [&]<class M>(Type<M>) { sweeps = sweeps_of<d>(M(elastic), bonds); }))
-    throw unknown_name("material model", material, names_of(MaterialCatalogue{}));
+  if (!with_named(MaterialCatalogue{}, law.name,
+                  [&]<class M>(Type<M>) { sweeps = law_sweeps<d, M>(law, elastic, bonds); }))
+    throw unknown_name("material model", law.name, names_of(MaterialCatalogue{}));
   return sweeps;
 }
 
 template <int d>
-Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& elastic,
+Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds) {
+  return sweeps_of_choice<d>(LawChoice(std::string(material)), elastic, bonds);
+}
+
+template <int d>
+Solid<d> make_solid(Cloud<d> cloud, const LawChoice& law, const Elastic& elastic,
                     const BondOptions<d>& options) {
   Solid<d> solid;
   solid.bonds = make_bond_table<d>(cloud, options);
   solid.cloud = std::move(cloud);
-  solid.elastic = elastic;
+  solid.elastic = in_dimension(d, elastic, law.plane);
   solid.smoothing_length = options.smoothing_length;
-  solid.sweeps = sweeps_named<d>(material, elastic, solid.bonds);
+  solid.sweeps = sweeps_of_choice<d>(law, elastic, solid.bonds);
   solid.P = make_stress_window(solid);
   solid.volume.assign(solid.bonds.slots.count(), 0.0);
   for (Index i = 0; i < solid.cloud.size(); ++i) solid.volume[solid.bonds.slots.of(i)] = solid.cloud.V[i];
   if (solid.bonds.mirror) add_term(solid, mirror_term(solid));
   return solid;
+}
+
+template <int d>
+Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& elastic,
+                    const BondOptions<d>& options) {
+  return make_solid<d>(std::move(cloud), LawChoice(std::string(material)), elastic, options);
 }
 
 template <int d>
@@ -58,9 +74,15 @@ UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state) {
 
 template UnsoundParticle find_unsound<2>(const Solid<2>&, const State<2>&);
 template UnsoundParticle find_unsound<3>(const Solid<3>&, const State<3>&);
+template Sweeps<1> sweeps_of_choice<1>(const LawChoice&, const Elastic&, const BondTable<1>&);
 template Sweeps<1> sweeps_named<1>(std::string_view, const Elastic&, const BondTable<1>&);
+template Sweeps<2> sweeps_of_choice<2>(const LawChoice&, const Elastic&, const BondTable<2>&);
 template Sweeps<2> sweeps_named<2>(std::string_view, const Elastic&, const BondTable<2>&);
+template Sweeps<3> sweeps_of_choice<3>(const LawChoice&, const Elastic&, const BondTable<3>&);
 template Sweeps<3> sweeps_named<3>(std::string_view, const Elastic&, const BondTable<3>&);
+template Solid<1> make_solid<1>(Cloud<1>, const LawChoice&, const Elastic&, const BondOptions<1>&);
+template Solid<2> make_solid<2>(Cloud<2>, const LawChoice&, const Elastic&, const BondOptions<2>&);
+template Solid<3> make_solid<3>(Cloud<3>, const LawChoice&, const Elastic&, const BondOptions<3>&);
 template Solid<1> make_solid<1>(Cloud<1>, std::string_view, const Elastic&, const BondOptions<1>&);
 template Solid<2> make_solid<2>(Cloud<2>, std::string_view, const Elastic&, const BondOptions<2>&);
 template Solid<3> make_solid<3>(Cloud<3>, std::string_view, const Elastic&, const BondOptions<3>&);

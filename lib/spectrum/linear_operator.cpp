@@ -4,38 +4,17 @@
 #include <cmath>
 #include <set>
 
+#include "plumbline/material/models/linear_elastic.hpp"
 #include "plumbline/solid/evaluate.hpp"
 #include "plumbline/solid/make_sweeps.hpp"
 
 namespace plumb {
 namespace {
 
-/// Small-strain elasticity: the tangent of every isotropic material of the same constants at F = I.
-struct SmallStrain {
-  static constexpr std::string_view name = "small-strain";
-  double lame, shear;
-  explicit SmallStrain(const Elastic& e) : lame(e.lame()), shear(e.shear_modulus()) {}
-
-  template <class T, int d>
-  T energy(const Eigen::Matrix<T, d, d>&) const {
-    return T(0);  // not asked for
-  }
-  template <class T, int d>
-  Eigen::Matrix<T, d, d> first_piola(const Eigen::Matrix<T, d, d>& F) const {
-    Eigen::Matrix<T, d, d> P;
-    T trace(0);
-    for (int a = 0; a < d; ++a) trace = trace + F(a, a) - T(1);
-    for (int a = 0; a < d; ++a)
-      for (int b = 0; b < d; ++b) P(a, b) = T(shear) * (F(a, b) + F(b, a));
-    for (int a = 0; a < d; ++a) P(a, a) = P(a, a) + T(lame) * trace - T(2 * shear);
-    return P;
-  }
-};
-
 /// Loops for linear response: the deformation is scaled freely, so J means nothing.
 template <int d>
 Sweeps<d> linear_sweeps(const Elastic& elastic, const BondTable<d>& all) {
-  const SmallStrain material(elastic);
+  const LinearElastic material(elastic);  // the tangent at F = I of every law with these constants
   Sweeps<d> sweeps = all.width == 1 ? plain_sweeps<d>(material, all) : lattice_sweeps<d>(material, all);
   sweeps.stress = [stress = sweeps.stress](const BondTable<d>& bonds, const Field& u, const Block& block,
                                            StressWindow& P, Field* F) {

@@ -126,7 +126,7 @@ TEST(Manufactured, BadRequestsAreRefused) {
   EXPECT_THROW(manufactured<3>("swinging-plate", {}, rubber), InputError);
   EXPECT_THROW(manufactured<2>("swinging-plate", {{"amplitud", 1e-3}}, rubber), InputError);
   EXPECT_THROW(manufactured<2>("swinging-plate", {{"amplitude", 0.5}}, rubber), InputError);
-  EXPECT_THROW(manufactured<2>("swinging-plate", {}, rubber, "neo-hooke"), InputError);
+  EXPECT_THROW(manufactured<2>("swinging-plate", {}, rubber, LawChoice("neo-hooke")), InputError);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ const std::vector<std::string> calls{
     "judge {}/errors.csv --expect 2",
     "judge {}/errors.csv --limit unknown",
     "verdicts",
+    "material @material/sheet.toml",
     "bench --case adjoint-verlet-2d --n 1000 --repeats 1 --seconds 0.001",
     "bench --kernels --n 1000 --seconds 0.001",
     "claims",

@@ -45,6 +45,8 @@ const std::map<std::pair<std::string, std::string>, std::pair<std::string, std::
       {{"compatible volume", "fixed"}, {"volumes are those of the Voronoi cells", ""}},
       {{"compatible surface", "shape"}, {"the surface is that of the body's shape", ""}},
       {{"compatible surface", "estimated"}, {"the surface is guessed from the particles", ""}},
+      {{"plane", "strain"}, {"of bodies in 2D: no strain across the plane", ""}},
+      {{"plane", "stress"}, {"of bodies in 2D: no stress across the plane", "THEORY (4.10)"}},
       {{"jst level", "symmetric"}, {"as the paper prints it", "THEORY (6.1)"}},
       {{"jst level", "transpose"}, {"L^T V L, dissipative by construction", "THEORY (6.4)"}},
       {{"boundary kind", "clamped"}, {"the velocity is zero", ""}},

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 template <int d>
 Json symbol_in(const Scene& scene, int points) {
   const LatticeSymbol<d> symbol(bond_options<d>(scene, 1), scene.method.beta);
-  const Elastic elastic{scene.material.young, scene.material.poisson, scene.material.density};
+  const Elastic elastic = in_dimension(d, scene.material.elastic(), scene.material.plane);
   Json rows = Json::array();
   Vec<d> direction = Vec<d>::Zero();
   for (int axes = 0; axes < d; ++axes) {

@@ -105,6 +105,12 @@ TEST(Expression, AValueThatIsNotFiniteIsRefusedWithItsPlace) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.problem(), "a.toml:3: velocity: in \"1/X\": the value at (0, 1) is infinite");
   }
+  try {
+    Expression("1/t", 0, "", Variables::space_and_time).at({0, 0, 0});
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "in \"1/t\": the value at (t = 0) is infinite");
+  }
 }
 
 }  // namespace

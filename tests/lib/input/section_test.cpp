@@ -82,6 +82,19 @@ TEST(Section, FormulasAreFormulasQuantitiesAndNumbers) {
   EXPECT_THROW(s.formulas("w", 3, quantity::velocity), SceneError) << "t is the time, not a tonne";
 }
 
+TEST(Section, RowsOfFormulasAreOfTheTimeAlone) {
+  const TomlValue document =
+      parse_document("F = [[\"0.1*t\", 2], [\"1e3*t\", \"1 + t\"]]\nG = [[\"X\"]]\nH = [[1, 2]]\n", "a.toml");
+  const Section s(document, "");
+  const auto F = s.formula_rows("F", quantity::number);
+  EXPECT_DOUBLE_EQ(F[0][0].at({0, 0, 0}, 2), 0.2);
+  EXPECT_DOUBLE_EQ(F[0][1].at({0, 0, 0}, 2), 2);
+  EXPECT_DOUBLE_EQ(F[1][0].at({0, 0, 0}, 2), 2000);
+  EXPECT_DOUBLE_EQ(F[1][1].at({0, 0, 0}, 2), 3);
+  EXPECT_THROW(s.formula_rows("G", quantity::number), SceneError);
+  EXPECT_THROW(s.formula_rows("H", quantity::number), SceneError);
+}
+
 struct Refused {
   std::string key, problem;
   std::function<void(const Section&)> read;

@@ -150,6 +150,9 @@ TEST(Units, AQuantityMustHaveTheExpectedDimension) {
   EXPECT_DOUBLE_EQ(parse_quantity("0.25", quantity::number), 0.25);
   EXPECT_DOUBLE_EQ(parse_quantity("25 %", quantity::number), 0.25);
   EXPECT_DOUBLE_EQ(parse_quantity("120 rpm", quantity::angular_velocity), 4 * pi);
+  EXPECT_DOUBLE_EQ(parse_quantity("5 1/s", quantity::rate), 5);
+  EXPECT_DOUBLE_EQ(parse_quantity("5/s", quantity::rate), 5);
+  EXPECT_THROW(parse_quantity("5 1", quantity::number), InputError);
   for (const char* text : {"17", "17 m", "17 %"})
     EXPECT_THROW(parse_quantity(text, quantity::stress), InputError) << text;
   EXPECT_TRUE(looks_measured("5 m/s"));

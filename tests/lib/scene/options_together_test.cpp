@@ -7,7 +7,7 @@
 #include <set>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/material/catalogue.hpp"
+#include "plumbline/material/laws.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
 #include "plumbline/solid/evaluate.hpp"
@@ -180,9 +180,9 @@ void check(const Row& row) {
   const test::PlainBody<d> plain(cloud, plain_choices(row), body.solid.elastic);
   std::function<Mat<d>(const Mat<d>&)> stress;
   std::function<double(const Mat<d>&)> energy;
-  with_named(MaterialCatalogue{}, value(row, "model"), [&]<class M>(Type<M>) {
-    stress = [material = M(body.solid.elastic)](const Mat<d>& F) { return Mat<d>(material.first_piola(F)); };
-    energy = [material = M(body.solid.elastic)](const Mat<d>& F) { return material.energy(F); };
+  with_elastic_law<d>(LawChoice(value(row, "model")), body.solid.elastic, [&](const auto& material) {
+    stress = [material](const Mat<d>& F) { return Mat<d>(material.first_piola(F)); };
+    energy = [material](const Mat<d>& F) { return material.energy(F); };
   });
 
   double strain = 0, kinetic = 0;

@@ -9,6 +9,7 @@
 #include "plumb/data_folder.hpp"
 #include "plumb/named_parts.hpp"
 #include "plumb/session.hpp"
+#include "plumbline/material/law.hpp"
 #include "plumbline/output/terminal.hpp"
 
 namespace plumb {
@@ -37,6 +38,17 @@ std::string plural_key(std::string kind) {
   return kind + "s";
 }
 
+/// The keys of [material] that a law has beside young, poisson and density.
+Json parameters_json(std::string_view law) {
+  Json all = Json::array();
+  for (const LawParameter& about : parameters_of_law(law))
+    all.push_back({{"name", about.name},
+                   {"unit", about.quantity.unit},
+                   {"meaning", about.meaning},
+                   {"required", about.required}});
+  return all;
+}
+
 /// Names by kind, "kernels": [..], and "parts" with what is known of each.
 Json listed() {
   Json names = Json::object(), rows = Json::array();
@@ -47,6 +59,7 @@ Json listed() {
                     {"name", part.name},
                     {"meaning", part.meaning},
                     {"theory", part.theory}});
+    if (part.kind == "material") rows.back()["parameters"] = parameters_json(part.name);
   }
   const auto folder = data_folder() / "verification" / "scenes";
   names["parts"] = rows;
@@ -68,6 +81,14 @@ void tell(std::ostream& out, const Json& json) {
     const std::string name = part["name"];
     out << fmt::format("  {:<15} {}\n", name,
                        wrapped(said, columns, std::max(indent, name.size() + 3), indent));
+    if (!part.contains("parameters")) continue;
+    for (const auto& about : part["parameters"]) {
+      const std::string unit = about["unit"];
+      const std::string text =
+          fmt::format("{}{}: {}{}", about["name"].get<std::string>(), unit.empty() ? "" : " [" + unit + "]",
+                      about["meaning"].get<std::string>(), about["required"].get<bool>() ? ", required" : "");
+      out << fmt::format("{:{}}{}\n", "", indent + 2, wrapped(text, columns, indent + 2, indent + 4));
+    }
   }
   if (json["scenes"].empty()) return;
   const std::filesystem::path first = json["scenes"][0]["file"].get<std::string>();

@@ -51,8 +51,11 @@ Statement body_of(const Scene& scene, const Simulation<d>& simulation) {
   const auto particles = static_cast<double>(solid.cloud.size());
   std::string text = fmt::format(
       "{} of {} m{}, {} particles {:.4g} m apart ({} layout{}), {:.1f} neighbours each, at most {}",
-      scene.body.shape, list(scene.body.size, " x "), d == 2 ? " in plane strain" : "", solid.cloud.size(),
-      solid.cloud.spacing, name_of(scene.body.layout),
+      scene.body.shape, list(scene.body.size, " x "),
+      d == 3                                  ? ""
+      : scene.material.plane == Plane::stress ? " in plane stress"
+                                              : " in plane strain",
+      solid.cloud.size(), solid.cloud.spacing, name_of(scene.body.layout),
       scene.body.jitter > 0 ? fmt::format(", moved at random by up to {:g} of that", scene.body.jitter) : "",
       static_cast<double>(solid.bonds.pairs) / particles, solid.bonds.most_neighbours);
   return {"body", text, ""};
@@ -160,19 +163,26 @@ Statement output_of(const Scene& scene) {
           ""};
 }
 
+/// ", ratio = 0.25, plane stress": what the law has beside E and nu.
+std::string own_parameters(const MaterialChoice& material) {
+  std::string text;
+  for (const auto& [name, value] : material.parameters) text += fmt::format(", {} = {:.4g}", name, value);
+  return material.plane == Plane::stress ? text + ", plane stress" : text;
+}
+
 }  // namespace
 
 template <int d>
 std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simulation) {
-  const Elastic& elastic = simulation.solid.elastic;
+  const Elastic elastic = scene.material.elastic();
   const double support = kernel_named<d>(scene.method.kernel).support;
   std::vector<Statement> all{body_of(scene, simulation)};
   all.push_back(
       about("material", scene.material.model,
-            fmt::format("mu = {:.4g} Pa, kappa = {:.4g} Pa, waves of {:.4g} m/s (pressure) and {:.4g} m/s "
+            fmt::format("mu = {:.4g} Pa, kappa = {:.4g} Pa{}, waves of {:.4g} m/s (pressure) and {:.4g} m/s "
                         "(shear)",
-                        elastic.shear_modulus(), elastic.bulk_modulus(), elastic.wave_speed(),
-                        elastic.shear_wave_speed()),
+                        elastic.shear_modulus(), elastic.bulk_modulus(), own_parameters(scene.material),
+                        simulation.solid.elastic.wave_speed(), elastic.shear_wave_speed()),
             "(4.1)"));
   all.push_back(
       about("kernel", scene.method.kernel,

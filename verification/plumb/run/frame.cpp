@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/material/catalogue.hpp"
+#include "plumbline/material/point.hpp"
 
 namespace plumb {
 namespace {
@@ -14,25 +14,13 @@ void put(std::vector<double>& values, Index particle, const Vec<d>& v) {
   for (int k = 0; k < d; ++k) values[particle * d + k] = v[k];
 }
 
-double von_mises(const Mat<3>& sigma) {
-  const Mat<3> deviator = sigma - Mat<3>::Identity() * (sigma.trace() / 3);
-  return std::sqrt(1.5) * deviator.norm();
-}
-
 }  // namespace
-
-Mat<3> cauchy_stress(std::string_view material, const Elastic& elastic, const Mat<3>& F) {
-  Mat<3> sigma = Mat<3>::Zero();
-  with_named(MaterialCatalogue{}, material, [&]<class M>(Type<M>) {
-    sigma = M(elastic).first_piola(F) * F.transpose() / determinant<3, double>(F);
-  });
-  return sigma;
-}
 
 template <int d>
 Frame<d>::Frame(const Solid<d>& solid, const State<d>& state, const MaterialChoice& material)
     : time_(state.time) {
   const Index count = solid.cloud.size();
+  const MaterialPoint point = make_point(material.law(), material.elastic());
   for (auto* vectors : {&position_, &displacement_, &velocity_}) vectors->resize(count * d);
   for (auto* scalars : {&determinant_, &pressure_, &von_mises_}) scalars->resize(count);
 #pragma omp parallel for schedule(static)
@@ -43,10 +31,10 @@ Frame<d>::Frame(const Solid<d>& solid, const State<d>& state, const MaterialChoi
     put<d>(velocity_, i, vector_at<d>(state.v, slot));
     Mat<3> F = Mat<3>::Identity();
     F.template topLeftCorner<d, d>() = deformation_gradient_of(solid, state, i);
-    const Mat<3> sigma = cauchy_stress(material.model, solid.elastic, F);
-    determinant_[i] = determinant<3, double>(F);
-    pressure_[i] = -sigma.trace() / 3;
-    von_mises_[i] = von_mises(sigma);
+    const PointState at = point(F);
+    determinant_[i] = determinant<3, double>(at.F);
+    pressure_[i] = -at.cauchy.trace() / 3;
+    von_mises_[i] = von_mises(at.cauchy);
   }
 }
 

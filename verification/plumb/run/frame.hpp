@@ -10,7 +10,7 @@ namespace plumb {
 
 /// What the particle files show of one state: positions, displacement, velocity, and from the deformation
 /// gradient J, the pressure -tr(sigma)/3 and the von Mises stress of the Cauchy stress sigma = P F^T / J. In
-/// 2D the strain is plane and sigma_33 counts.
+/// 2D sigma_33 counts, and under plane stress F_33.
 template <int d>
 class Frame {
  public:
@@ -25,8 +25,5 @@ class Frame {
   double time_;
   std::vector<double> position_, displacement_, velocity_, determinant_, pressure_, von_mises_;
 };
-
-/// Cauchy stress [Pa] of the material of that name at the three-dimensional F.
-Mat<3> cauchy_stress(std::string_view material, const Elastic& elastic, const Mat<3>& F);
 
 }  // namespace plumb
