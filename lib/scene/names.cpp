@@ -102,6 +102,7 @@ std::vector<SceneChoice> scene_choices() {
           {"body.cloud", "cloud", cloud_names()},
           {"body.layout", "layout", layout_names()},
           {"material.model", "material", material_names()},
+          {"method.paper", "paper", {"000"}},
           {"method.kernel", "kernel", kernel_names()},
           {"method.pair", "pair", pair_names()},
           {"method.gradient", "gradient", gradient_names()},
