@@ -106,6 +106,7 @@ std::vector<SceneChoice> scene_choices() {
           {"body.layout", "layout", layout_names()},
           {"material.model", "material", material_names()},
           {"material.plane", "plane", plane_names()},
+          {"method.paper", "paper", {"000"}},
           {"method.kernel", "kernel", kernel_names()},
           {"method.pair", "pair", pair_names()},
           {"method.gradient", "gradient", gradient_names()},

@@ -91,7 +91,8 @@ class PlainTable {
     Row row = choices.pair == "W1" ? first_order(i) : shepard(i);
     row.stencil.assign(seen.size(), Vec<d>::Zero());
     for (std::size_t n = 0; n < seen.size(); ++n)
-      if (row.weight[n] != 0 && n != static_cast<std::size_t>(i))
+      // by the kernel itself: a corrected weight may vanish inside of the support, its slope does not
+      if (kernel.w((seen[n].X - cloud.X[i]).norm() / h) != 0 && n != static_cast<std::size_t>(i))
         row.stencil[n] = estimate_of_unit(i, row, n);
     add_laplace(i, row);
     return row;
