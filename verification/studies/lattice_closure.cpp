@@ -88,7 +88,9 @@ TEST_CASE("closure: affine patch by plumb static, to round-off", "[closure]") {
   for (const Set& set : {Set{}, Set{"compatible.start=standard"}, Set{"material.poisson=0.495"}}) {
     const auto result = static_study("affine_patch.toml", set);
     for (const auto& level : result.levels) {
-      CHECK(level.relative(&mms::ErrorNorms::l2) < 1e-12);  // the stiffness has a condition of 1e6 at nu 0.495
+      // at nu 0.495 round-off is some ten times that at 0.3, as the condition of the stiffness is
+      const bool stiff = !set.empty() && set.front() == "material.poisson=0.495";
+      CHECK(level.relative(&mms::ErrorNorms::l2) < (stiff ? 1e-12 : 1e-13));
       CHECK(level.relative(&mms::ErrorNorms::stress_l2) <
             1e-11);  // round-off of a displacement over the spacing, 1/40 of the body
     }
