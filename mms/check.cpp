@@ -58,13 +58,14 @@ struct Second {
   Mat<d> stress;
 };
 
-/// The step in space is 1/400 of the domain: eighth order leaves (k h)^8/630 of a wave number k, below 1e-12
-/// for k L = 20 (harmonics of large amplitudes); long double round-off stays at 1e-19 * 400 * kappa/mu.
+/// The step in space is 1/800 of the domain: eighth order leaves (k h)^8/630 of a wave number k, below 1e-11
+/// for k L = 70 (harmonics of a law that is cubic in F at large amplitudes); long double round-off stays at
+/// 1e-19 * 800 * kappa/mu.
 template <int d, class S, class M>
 Second<d> second_derivation(const S& solution, const M& material, double density, const Vec<d>& at,
                             double time) {
   const Vec<d, Real> X = at.template cast<Real>();
-  const Real t = time, h = 0.0025L * solution.template domain<d>().length(), tau = 0.002L * solution.period();
+  const Real t = time, h = 0.00125L * solution.template domain<d>().length(), tau = 0.002L * solution.period();
   const auto in_time = [&](Real e) { return solution.template displacement<d>(X, t + e); };
   const auto stress = [&](const Vec<d, Real>& Y) -> Mat<d, Real> {
     return material.first_piola(gradient<d>(solution, Y, t));

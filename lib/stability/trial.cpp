@@ -64,6 +64,7 @@ std::optional<Trial> attempt(const Scene& scene, const StabilityBounds& bounds,
   Simulation<d> simulation = make_simulation<d>(scene);
   simulation.control.energy_bound = bounds.energy_growth;
   simulation.control.hourglass_bound = bounds.hourglass;
+  simulation.control.interval.reset();  // nothing is recorded, so that no step is cut for it
   const std::vector<Index> measured = measured_particles(simulation);
   const Vec<d> before = edges_of(simulation, measured);
   const double energy = energy_of(simulation.solid, simulation.state).total();
