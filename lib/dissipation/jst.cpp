@@ -111,7 +111,7 @@ double largest_eigenvalue(const Solid<d>& solid) {
     for (Index b = 0; b < solid.blocks(); ++b) f(solid.block(b));
   };
   double eigenvalue = 0;
-  // 60 steps give three digits for these spectra: a bound for a time step needs no more
+  // 60 steps give three digits on free bodies, and 1.3 % too little was seen between two mirror walls
   for (int step = 0; step < 60; ++step) {
     const double size = std::sqrt(sum_over_blocks(solid, [&](const Block& block) {
       double sum = 0;
