@@ -73,9 +73,9 @@ struct Compatible {
   std::string cache;                ///< folder of tables that were projected before; empty: none is kept
 };
 
-/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The adjoint force needs
-/// no dissipation to be stable, so velocity Verlet with one evaluation a step serves. A scene that was read always has
-/// a gradient and a beta that suit its body (read_method()); those here are for scenes that are put together in code.
+/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The adjoint force
+/// needs no dissipation to be stable, so velocity Verlet with one evaluation a step serves. The defaults here
+/// hold for every body but one kind: the reader gives compatible bonds beta 1.2 where a surface cuts the cloud.
 struct Method {
   std::string paper;  ///< "000": keys that are not given are those of that paper; empty: of no paper
   std::string kernel = "cubic";
