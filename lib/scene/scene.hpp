@@ -53,9 +53,9 @@ Body with_spacing(Body body, double d);
 /// [material]: one law for the whole body. (`MaterialModel` is the concept that models meet.)
 struct MaterialChoice {
   std::string model = "neo-hookean";
-  double young = 0.0;    ///< E [Pa] > 0, required
-  double poisson = 0.0;  ///< -1 < nu < 0.5, required
-  double density = 0.0;  ///< rho of the reference [kg/m^3] > 0, required
+  double young = 0.0;                             ///< E [Pa] > 0, required
+  double poisson = 0.0;                           ///< -1 < nu < 0.5, required
+  double density = 0.0;                           ///< rho of the reference [kg/m^3] > 0, required
   std::map<std::string, double> parameters = {};  ///< the law's own that are given, in SI units
   Plane plane = Plane::strain;                    ///< of bodies in 2D
 
@@ -73,9 +73,10 @@ struct Compatible {
   std::string cache;                ///< folder of tables that were projected before; empty: none is kept
 };
 
-/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The adjoint force
-/// needs no dissipation to be stable, so velocity Verlet with one evaluation a step serves. The defaults here
-/// hold for every body but one kind: the reader gives compatible bonds beta 1.2 where a surface cuts the cloud.
+/// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The adjoint
+/// force needs no dissipation to be stable, so velocity Verlet with one evaluation a step serves. The
+/// defaults here hold for every body but one kind: the reader gives compatible bonds beta 1.2 where a surface
+/// cuts the cloud.
 struct Method {
   std::string paper;  ///< "000": keys that are not given are those of that paper; empty: of no paper
   std::string kernel = "cubic";
