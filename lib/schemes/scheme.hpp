@@ -1,0 +1,84 @@
+#pragma once
+#include <concepts>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumbline/actions/actions.hpp"
+#include "plumbline/geometry/cloud.hpp"
+#include "plumbline/material/law.hpp"
+#include "plumbline/particles/role.hpp"
+#include "plumbline/particles/snapshot.hpp"
+
+/// What a folder of schemes/ must have to run in the harness.
+namespace plumb {
+
+/// A body before it moves: its particles and what they are made of.
+template <int d>
+struct Specimen {
+  Cloud<d> cloud;
+  LawChoice law;
+  Elastic elastic;
+};
+
+/// Displacement [m] and velocity [m/s] of every particle at the start.
+template <int d>
+struct InitialMotion {
+  std::vector<Vec<d>> u, v;
+};
+
+/// Where and why a step could not be made.
+struct Trouble {
+  Index particle;        ///< -1: it belongs to no particle
+  std::string quantity;  ///< "determinant of F", "density", "residual" ..
+  double value;
+};
+
+/// Energy of one kind, under the name that stands in the series.
+struct NamedEnergy {
+  std::string name;
+  double value;  ///< [J] (per metre of thickness in 2D)
+};
+
+/// Energies of a state; `dissipated` is what the scheme has turned into heat since its start.
+struct SchemeEnergy {
+  double kinetic = 0, strain = 0;  ///< [J]
+  std::vector<NamedEnergy> more;   ///< stored elsewhere (hourglass energy, plastic work ..)
+  std::optional<double> dissipated;
+  double total() const {
+    double sum = kinetic + strain;
+    for (const auto& e : more) sum += e.value;
+    return sum;
+  }
+};
+
+/// One line of what `plumb explain` says about a scheme.
+struct Statement {
+  std::string text;      ///< a sentence
+  std::string equation;  ///< where it stands: "003 (54)"; may be empty
+};
+
+/// A state lists its fields: visit(FieldInfo, Field&).
+template <class S>
+concept SchemeState = requires(S& state) {
+  { state.time } -> std::convertible_to<double>;
+  { state.step } -> std::convertible_to<long>;
+  state.fields([](const FieldInfo&, auto&) {});
+};
+
+/// A scheme for bodies in d dimensions. A scheme is one folder. `advance` makes one step of dt and leaves the
+/// state as it was if there is trouble.
+template <class M, int d>
+concept Scheme = SchemeState<typename M::State> && requires(M& m, typename M::State& state, double dt) {
+  { M::name } -> std::convertible_to<std::string_view>;
+  typename M::Options;
+  { m.start(InitialMotion<d>{}) } -> std::same_as<typename M::State>;
+  { m.step_limit(state) } -> std::convertible_to<double>;  // [s]
+  { m.advance(state, dt) } -> std::same_as<std::optional<Trouble>>;
+  { m.snapshot(state) } -> std::same_as<Snapshot<d>>;
+  { m.energy(state) } -> std::same_as<SchemeEnergy>;
+  { m.account() } -> std::same_as<std::vector<Statement>>;
+};
+
+}  // namespace plumb
