@@ -130,8 +130,8 @@ void set_exact_state(const Solid<d>& solid, const Manufactured<d>& solution, Sta
 }  // namespace
 
 template <int d>
-Actions<d> actions_of(const Solid<d>& solid, const Manufactured<d>& solution, const DriveOptions& options) {
-  const Cloud<d>& cloud = solid.cloud;
+Actions<d> actions_of(const Cloud<d>& cloud, double modulus, const Manufactured<d>& solution,
+                      const DriveOptions& options) {
   HeldParts<d> parts(solution);
   SurfaceLoad<d> load;
   load.name = "manufactured traction";
@@ -142,7 +142,7 @@ Actions<d> actions_of(const Solid<d>& solid, const Manufactured<d>& solution, co
     add_band(cloud, solution, *options.held_band, parts);
   else if (solution.domain.shape == Domain<d>::Shape::box)
     for (int face = 0; face < 2 * d; ++face) add_face(cloud, solution, face, options, parts, load);
-  drop_zero_tractions(solution, parts, solution.density * std::pow(solid.elastic.wave_speed(), 2), load);
+  drop_zero_tractions(solution, parts, modulus, load);
   Actions<d> actions;
   if (options.body_force)
     actions.body.push_back(
@@ -178,7 +178,8 @@ Actions<d> seen_at(const std::shared_ptr<const double>& start, Actions<d> action
 template <int d>
 Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
                  const DriveOptions& options) {
-  const Actions<d> actions = actions_of(solid, solution, options);
+  const double modulus = solution.density * std::pow(solid.elastic.wave_speed(), 2);
+  const Actions<d> actions = actions_of(solid.cloud, modulus, solution, options);
   set_exact_state(solid, solution, state);
   impose(solid, actions, state);
   if (!options.loads_at_step_start) {
@@ -195,8 +196,8 @@ Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Man
   return stepper;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                   \
-  template Actions<d> actions_of<d>(const Solid<d>&, const Manufactured<d>&, const DriveOptions&); \
+#define PLUMBLINE_INSTANTIATE(d)                                                                           \
+  template Actions<d> actions_of<d>(const Cloud<d>&, double, const Manufactured<d>&, const DriveOptions&); \
   template Stepper<d> drive<d>(Solid<d>&, State<d>&, Stepper<d>, const Manufactured<d>&, const DriveOptions&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

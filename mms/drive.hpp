@@ -27,9 +27,11 @@ struct DriveOptions {
 /// where they are known, and the prescribed motion of components known on a face. Particles that belong to a
 /// face: those on it (node layout), or the first layer (cell layout), which then gets the values of the
 /// nearest point of the face, as a boundary condition there says. Rollers of a mirror layout prescribe
-/// nothing. Boxes only; the circles of an annulus are left free unless there is a held band.
+/// nothing. Boxes only; the circles of an annulus are left free unless there is a held band. `modulus`: that
+/// of pressure waves [Pa], beside which a traction counts as zero.
 template <int d>
-Actions<d> actions_of(const Solid<d>& solid, const Manufactured<d>& solution, const DriveOptions& options);
+Actions<d> actions_of(const Cloud<d>& cloud, double modulus, const Manufactured<d>& solution,
+                      const DriveOptions& options);
 
 /// Sets the exact displacement and velocity of the state's time and applies the actions that drive a body
 /// along the solution. Prescribed components have the force rho u_tt, and after each step of the returned

@@ -12,8 +12,10 @@
 #include "mms/drive.hpp"
 #include "mms/mirrored.hpp"
 #include "mms/pace.hpp"
+#include "mms/scheme_level.hpp"
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
+#include "plumbline/scene/scheme_simulation.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -117,6 +119,10 @@ StudyLevel level_of(const Sitting::Json& part) {
   return level;
 }
 
+Scene scene_of_level(const Study& study, double spacing) {
+  return scene_of(study, {}, spacing, end_time(study));
+}
+
 bool wants_gauss(const Study& study) {
   return study.quadrature != "nodal";
 }
@@ -159,7 +165,7 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
 }
 
 template <int d>
-Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
+TlsphSimulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
   const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
@@ -170,17 +176,17 @@ Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution,
                                              {spacing, study.body.layout, study.body.cloud == "blue-noise",
                                               study.body.jitter, study.body.seed});
       const Surface<2> surface = surface_of<2>(study, solution, cloud);
-      return make_simulation<d>(scene, std::move(cloud), std::optional(surface));
+      return make_tlsph<d>(scene, std::move(cloud), std::optional(surface));
     }
   }
-  return make_simulation<d>(scene);
+  return make_tlsph<d>(scene);
 }
 
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           const Loading& loading) {
   DrivenBody<d> body{simulation_of<d>(study, solution, spacing), {}};
-  Simulation<d>& simulation = body.simulation;
+  TlsphSimulation<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
                        {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
   return body;
@@ -189,9 +195,11 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
 template <int d>
 LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
                       Sitting& sitting) {
+  if (has_own_body(study.method.scheme))
+    return run_scheme_level<d>(study, solution, spacing, body_force, sitting);
   const std::clock_t begin = std::clock();
   DrivenBody<d> body = driven_body(study, solution, spacing, {.body_force = body_force});
-  Simulation<d>& simulation = body.simulation;
+  TlsphSimulation<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
   LevelRun<d> out;
   out.level.n = solid.cloud.size();
@@ -235,8 +243,8 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
 #define PLUMBLINE_INSTANTIATE(d)                                                                       \
   template Manufactured<d> solution_of<d>(const Study&);                                               \
   template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                               \
-  template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);              \
-  template Simulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);               \
+  template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);            \
+  template TlsphSimulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);          \
   template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
   template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&);     \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);

@@ -6,8 +6,8 @@
 #include "mms/manufactured.hpp"
 #include "mms/norms.hpp"
 #include "plumbline/output/sitting.hpp"
-#include "plumbline/scene/simulation.hpp"
 #include "plumbline/scene/study.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb::mms {
 
@@ -39,7 +39,7 @@ struct LevelRun {
 /// A body that follows a manufactured solution, ready to run.
 template <int d>
 struct DrivenBody {
-  Simulation<d> simulation;
+  TlsphSimulation<d> simulation;
   Stepper<d> stepper;
 };
 
@@ -74,7 +74,10 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
 /// as rings (layout node), as a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is
 /// filled.
 template <int d>
-Simulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
+TlsphSimulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
+
+/// The scene of one level as the solution needs it: at rest, without loads and boundaries.
+Scene scene_of_level(const Study& study, double spacing);
 
 /// Says which loads drive a body.
 struct Loading {

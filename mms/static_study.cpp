@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mms/manufactured.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/statics/statics.hpp"
 
 namespace plumb::mms {
@@ -18,7 +18,7 @@ double cpu_now() {
 }
 
 template <int d>
-Simulation<d> simulation_of(const Study& study, double spacing) {
+TlsphSimulation<d> simulation_of(const Study& study, double spacing) {
   if (study.method.projection)
     throw InputError("[projection] in a static study", "it takes the torque off a force and has no stiffness",
                      "Leave it out.");
@@ -29,7 +29,7 @@ Simulation<d> simulation_of(const Study& study, double spacing) {
   scene.material = study.material;
   scene.method = study.method;
   scene.method.jst = std::nullopt;  // nothing moves
-  return make_simulation<d>(scene);
+  return make_tlsph<d>(scene);
 }
 
 /// Sides on which a particle lies: face 2 k is the lower one of axis k.
@@ -114,7 +114,7 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const Simulation<d> simulation = simulation_of<d>(study, spacing);
+  const TlsphSimulation<d> simulation = simulation_of<d>(study, spacing);
   const Solid<d>& solid = simulation.solid;
   level.compatible = simulation.compatible;
   level.setup_s = cpu_now() - start;

@@ -67,7 +67,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   DrivenBody<d> body =
       driven_body<d>(study, solution, study.spacings.front(),
                      {.body_force = study.force == "finite-strain", .at_step_start = as_printed});
-  Simulation<d>& simulation = body.simulation;
+  TlsphSimulation<d>& simulation = body.simulation;
   const auto make = [&] {
     const Pace<d> pace(sitting, simulation);
     const RunResult result = run<d>(simulation.solid, simulation.state, body.stepper, simulation.control,

@@ -21,6 +21,44 @@ T sum_over_particles(Index n, T zero, F&& add) {
   return sum;
 }
 
+template <int d>
+struct MovingMass {
+  double mass;
+  Vec<d> x, v;
+};
+
+template <int d, class At>
+Momentum momentum_over(Index particles, At&& at) {
+  using Sums = Eigen::Matrix<double, 8, 1>;
+  const Sums sums = sum_over_particles(particles, Sums(Sums::Zero()), [&](Sums& sum, Index i) {
+    const MovingMass<d> particle = at(i);
+    const Vec<3> v = in_space<d>(particle.v);
+    const Vec<3> x = in_space<d>(particle.x);
+    const double m = particle.mass;
+    Vec<3> L(x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]);
+    sum.head<3>() += m * v;
+    sum.segment<3>(3) += m * L;
+    sum[6] += m * v.norm();
+    sum[7] += m * x.norm() * v.norm();
+  });
+  Momentum p;
+  for (int k = 0; k < 3; ++k) p.linear[k] = sums[k], p.angular[k] = sums[3 + k];
+  p.linear_scale = sums[6];
+  p.angular_scale = sums[7];
+  return p;
+}
+
+template <int d, class At>
+Extent<d> extent_over(Index particles, At&& at) {
+  Extent<d> e{at(0), at(0)};
+  for (Index i = 1; i < particles; ++i) {
+    const Vec<d> x = at(i);
+    e.lower = e.lower.cwiseMin(x);
+    e.upper = e.upper.cwiseMax(x);
+  }
+  return e;
+}
+
 }  // namespace
 
 template <int d>
@@ -51,33 +89,27 @@ double energy_round_off(const Solid<d>& solid) {
 
 template <int d>
 Momentum momentum_of(const Solid<d>& solid, const State<d>& state) {
-  using Sums = Eigen::Matrix<double, 8, 1>;
-  const Sums sums = sum_over_particles(solid.cloud.size(), Sums(Sums::Zero()), [&](Sums& sum, Index i) {
-    const Vec<3> v = in_space<d>(vector_at<d>(state.v, solid.bonds.slots.of(i)));
-    const Vec<3> x = in_space<d>(position_of(solid, state, i));
-    const double m = solid.elastic.density * solid.cloud.V[i];
-    Vec<3> L(x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]);
-    sum.head<3>() += m * v;
-    sum.segment<3>(3) += m * L;
-    sum[6] += m * v.norm();
-    sum[7] += m * x.norm() * v.norm();
+  return momentum_over<d>(solid.cloud.size(), [&](Index i) {
+    return MovingMass<d>{solid.elastic.density * solid.cloud.V[i], position_of(solid, state, i),
+                         vector_at<d>(state.v, solid.bonds.slots.of(i))};
   });
-  Momentum p;
-  for (int k = 0; k < 3; ++k) p.linear[k] = sums[k], p.angular[k] = sums[3 + k];
-  p.linear_scale = sums[6];
-  p.angular_scale = sums[7];
-  return p;
+}
+
+template <int d>
+Momentum momentum_of(const Snapshot<d>& s) {
+  return momentum_over<d>(static_cast<Index>(s.x.size()), [&](Index i) {
+    return MovingMass<d>{s.mass[i], s.x[i], s.v[i]};
+  });
 }
 
 template <int d>
 Extent<d> extent_of(const Solid<d>& solid, const State<d>& state) {
-  Extent<d> e{position_of(solid, state, 0), position_of(solid, state, 0)};
-  for (Index i = 1; i < solid.cloud.size(); ++i) {
-    const Vec<d> x = position_of(solid, state, i);
-    e.lower = e.lower.cwiseMin(x);
-    e.upper = e.upper.cwiseMax(x);
-  }
-  return e;
+  return extent_over<d>(solid.cloud.size(), [&](Index i) { return position_of(solid, state, i); });
+}
+
+template <int d>
+Extent<d> extent_of(const Snapshot<d>& s) {
+  return extent_over<d>(static_cast<Index>(s.x.size()), [&](Index i) { return s.x[i]; });
 }
 
 template <int d>
@@ -105,6 +137,12 @@ template double energy_round_off<2>(const Solid<2>&);
 template double energy_round_off<3>(const Solid<3>&);
 template Momentum momentum_of<2>(const Solid<2>&, const State<2>&);
 template Momentum momentum_of<3>(const Solid<3>&, const State<3>&);
+template Momentum momentum_of<1>(const Snapshot<1>&);
+template Momentum momentum_of<2>(const Snapshot<2>&);
+template Momentum momentum_of<3>(const Snapshot<3>&);
+template Extent<1> extent_of<1>(const Snapshot<1>&);
+template Extent<2> extent_of<2>(const Snapshot<2>&);
+template Extent<3> extent_of<3>(const Snapshot<3>&);
 template Extent<2> extent_of<2>(const Solid<2>&, const State<2>&);
 template Extent<3> extent_of<3>(const Solid<3>&, const State<3>&);
 template double hourglass_share<2>(const Solid<2>&, const State<2>&);

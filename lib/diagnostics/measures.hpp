@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "plumbline/particles/snapshot.hpp"
 #include "plumbline/solid/kinematics.hpp"
 #include "plumbline/solid/solid.hpp"
 
@@ -32,6 +33,8 @@ double energy_round_off(const Solid<d>& solid);
 
 template <int d>
 Momentum momentum_of(const Solid<d>& solid, const State<d>& state);
+template <int d>
+Momentum momentum_of(const Snapshot<d>& snapshot);
 
 /// Smallest box around the current positions [m].
 template <int d>
@@ -40,6 +43,8 @@ struct Extent {
 };
 template <int d>
 Extent<d> extent_of(const Solid<d>& solid, const State<d>& state);
+template <int d>
+Extent<d> extent_of(const Snapshot<d>& snapshot);
 
 /// Share of the deformation that neighbouring deformation gradients do not explain: rms of x_ij - (F_i + F_j)
 /// X_ij / 2 over nearest pairs (r < 1.1 spacings), relative to rms x_ij. Zero for affine motion. THEORY

@@ -20,6 +20,7 @@ struct Snapshot {
   double time = 0;  ///< [s]
   long step = 0;
   std::vector<Vec<d>> X;          ///< reference position, the particle's label [m]
+  std::vector<Vec<d>> u;          ///< displacement x - X [m], with all its digits
   std::vector<Vec<d>> x;          ///< position [m]
   std::vector<Vec<d>> v;          ///< velocity [m/s]
   std::vector<double> mass;       ///< [kg] (per metre of thickness in 2D, per square metre in 1D)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -39,39 +40,60 @@ bool finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
+std::size_t records_of(const SavedField& field) {
+  return field.values.size() / static_cast<std::size_t>(field.components);
+}
+
+/// One "name<tab>components" a line.
+std::string text_of(const std::vector<SavedField>& fields) {
+  std::string text;
+  for (const auto& field : fields) text += fmt::format("{}\t{}\n", field.name, field.components);
+  return text;
+}
+
+/// The fields that the text lists, with their values.
+std::vector<SavedField> fields_of(const Hdf5Image& file) {
+  std::vector<SavedField> fields;
+  for (const auto& [name, components] : scene_of(file.text("fields"))) {
+    const int count = std::atoi(components.c_str());
+    if (count < 1) throw InputError(fmt::format("field {} has no components", name), "", "");
+    fields.push_back({name, count, file.numbers(name.c_str())});
+  }
+  return fields;
+}
+
 void require_consistent(const Checkpoint& c) {
-  const auto require = [](bool holds, const char* problem) {
+  const auto require = [](bool holds, const std::string& problem) {
     if (!holds) throw InputError(problem, "", "");
   };
-  require(c.dimension == 2 || c.dimension == 3, "the dimension is not 2 or 3");
-  require(!c.displacement.empty() && c.displacement.size() % static_cast<std::size_t>(c.dimension) == 0,
-          "there are no particles");
-  require(c.velocity.size() == c.displacement.size(), "displacement and velocity differ in size");
-  require(c.carried.empty() || c.carried.size() == c.displacement.size(),
-          "the integrator's data differ in size");
+  require(c.dimension >= 1 && c.dimension <= 3, "the dimension is not 1, 2 or 3");
+  require(!c.state.fields.empty() && !c.state.fields.front().values.empty(), "there are no particles");
+  const auto particles = records_of(c.state.fields.front());
+  for (const auto& field : c.state.fields)
+    require(field.values.size() % static_cast<std::size_t>(field.components) == 0 &&
+                (records_of(field) == particles || records_of(field) == 1),
+            fmt::format("{} and {} differ in size", c.state.fields.front().name, field.name));
   require(is_finite(c), "the state is not finite");
-  require(c.step >= 0, "the step is negative");
+  require(c.state.now.step >= 0, "the step is negative");
 }
 
 void write(const Hdf5Image& file, const Checkpoint& c) {
-  const auto d = static_cast<std::size_t>(c.dimension);
   file.write("program", c.program);
   file.write("scene", text_of(c.scene));
-  file.write("dimension and step", std::vector<std::int64_t>{c.dimension, c.step});
-  file.write("time", std::vector<double>{c.time});
-  file.write("displacement", c.displacement, d);
-  file.write("velocity", c.velocity, d);
-  if (!c.carried.empty()) file.write("integrator", c.carried, d);
+  file.write("dimension and step", std::vector<std::int64_t>{c.dimension, c.state.now.step});
+  file.write("time", std::vector<double>{c.state.now.time});
+  file.write("fields", text_of(c.state.fields));
+  for (const auto& field : c.state.fields)
+    file.write(field.name.c_str(), field.values, static_cast<std::size_t>(field.components));
   file.write("time steps", std::vector<double>{c.dt.first, c.dt.least, c.dt.most, c.dt.last});
-  const Energy& e = c.initial_energy;
-  file.write("initial energy", std::vector<double>{e.kinetic, e.strain, e.terms});
+  file.write("initial energy", std::vector<double>{c.initial_energy});
   const Momentum& p = c.initial_momentum;
   file.write("initial momentum",
              std::vector<double>{p.linear[0], p.linear[1], p.linear[2], p.angular[0], p.angular[1],
                                  p.angular[2], p.linear_scale, p.angular_scale});
-  file.write("work", std::vector<std::int64_t>{c.work.particle_evaluations, c.work.pair_evaluations});
+  file.write("work",
+             std::vector<std::int64_t>{c.state.work.particle_evaluations, c.state.work.pair_evaluations});
   file.write("seconds", std::vector<double>{c.wall, c.cpu, c.writing});
-  file.write("supports", std::vector<double>{c.support_work, c.support_power});
   const RecorderMark& r = c.recorder;
   file.write("recorder", std::vector<std::int64_t>{r.next, r.recorded, r.series_bytes});
   if (!r.particle_times.empty()) file.write("particle times", r.particle_times);
@@ -82,23 +104,18 @@ Checkpoint read(const Hdf5Image& file) {
   c.program = file.text("program");
   c.scene = scene_of(file.text("scene"));
   const auto whole = file.integers("dimension and step", 2);
-  c.dimension = whole[0], c.step = whole[1];
-  c.time = file.numbers("time", 1)[0];
-  c.displacement = file.numbers("displacement");
-  c.velocity = file.numbers("velocity");
-  if (file.has("integrator")) c.carried = file.numbers("integrator");
+  c.dimension = whole[0], c.state.now.step = whole[1];
+  c.state.now.time = file.numbers("time", 1)[0];
+  c.state.fields = fields_of(file);
   const auto dt = file.numbers("time steps", 4);
   c.dt = {dt[0], dt[1], dt[2], dt[3]};
-  const auto e = file.numbers("initial energy", 3);
-  c.initial_energy = {e[0], e[1], e[2]};
+  c.initial_energy = file.numbers("initial energy", 1)[0];
   const auto p = file.numbers("initial momentum", 8);
   c.initial_momentum = {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6], p[7]};
   const auto work = file.integers("work", 2);
-  c.work = {work[0], work[1]};
+  c.state.work = {work[0], work[1]};
   const auto seconds = file.numbers("seconds", 3);
   c.wall = seconds[0], c.cpu = seconds[1], c.writing = seconds[2];
-  const auto supports = file.numbers("supports", 2);
-  c.support_work = supports[0], c.support_power = supports[1];
   const auto r = file.integers("recorder", 3);
   c.recorder = {r[0], r[1], r[2], {}};
   if (file.has("particle times")) c.recorder.particle_times = file.numbers("particle times");
@@ -124,7 +141,9 @@ std::vector<std::string> differences(const std::map<std::string, std::string>& h
 }  // namespace
 
 bool is_finite(const Checkpoint& c) {
-  return finite(c.displacement) && finite(c.velocity) && finite(c.carried) && std::isfinite(c.time);
+  return std::isfinite(c.state.now.time) &&
+         std::all_of(c.state.fields.begin(), c.state.fields.end(),
+                     [](const auto& field) { return finite(field.values); });
 }
 
 std::string bytes_of(const Checkpoint& checkpoint) {

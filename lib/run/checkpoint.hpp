@@ -19,24 +19,17 @@ struct RecorderMark {
   std::vector<double> particle_times;  ///< of the particle files [s]
 };
 
-/// Everything that a run needs to go on bit for bit, particle after particle, d numbers each: the same for
-/// any number of threads.
+/// Everything that a run needs to go on bit for bit: the same for any number of threads.
 struct Checkpoint {
   std::string program;                       ///< version and build; other builds may give other bits
   std::map<std::string, std::string> scene;  ///< every setting of the scene, by its dotted key
-  std::int64_t dimension = 0, step = 0;
-  double time = 0;                   ///< [s]
-  std::vector<double> displacement;  ///< [m]
-  std::vector<double> velocity;      ///< [m/s]
-  std::vector<double> carried;       ///< by the integrator; empty if it carries nothing
+  std::int64_t dimension = 0;
+  SavedState state;
   StepStatistics dt;
-  Energy initial_energy;
+  double initial_energy = 0;  ///< total [J]
   Momentum initial_momentum;
-  Work work;
   double wall = 0, cpu = 0, writing = 0;  ///< seconds spent so far; writing is a part of wall
   RecorderMark recorder;
-  double support_work = 0;   ///< of supports that move, so far [J]
-  double support_power = 0;  ///< that the last evaluation adds to the next step [W]
 };
 
 /// Whether all numbers of the state are finite; one that is not cannot be read back.

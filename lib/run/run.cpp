@@ -9,8 +9,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::array<std::string_view, 5> cause_names = {"non-finite", "inverted", "energy-growth",
-                                                         "time-step-collapse", "hourglass"};
+constexpr std::array<std::string_view, 6> cause_names = {"non-finite",         "inverted",  "energy-growth",
+                                                         "time-step-collapse", "hourglass", "no-convergence"};
 /// Energy and hourglass share are looked at every so many steps; an explosion multiplies the energy by far
 /// more than any bound in between.
 constexpr long steps_between_checks = 20;
@@ -64,11 +64,10 @@ NextStep next_step(const StepControl& control, double time, double allowed) {
   return step;
 }
 
-template <int d>
-bool finished(const State<d>& state, const StepControl& control) {
+bool finished(const Moment& now, const StepControl& control) {
   // 1e-12 of the end time: what rounding leaves of it after a million steps
-  if (control.end_time && state.time >= *control.end_time * (1 - 1e-12)) return true;
-  return control.max_steps && state.step >= *control.max_steps;
+  if (control.end_time && now.time >= *control.end_time * (1 - 1e-12)) return true;
+  return control.max_steps && now.step >= *control.max_steps;
 }
 
 }  // namespace
@@ -101,38 +100,58 @@ double next_time_step(const Solid<d>& solid, const State<d>& state, const StepCo
   return step_for(solid, control, closest.distance(solid, state) / solid.elastic.wave_speed());
 }
 
-template <int d>
-RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, RunHistory& history) {
+RunResult step_to_the_end(const Steps& steps, const StepControl& control,
+                          const std::function<bool()>& observe, RunHistory& history) {
   RunResult result;
-  if (control.energy_bound && !history.initial_energy)
-    history.initial_energy = energy_of(solid, state).total();
-  result.stopped = observe && !observe(solid, state);
-  ClosestPairs<d> closest;
-  while (!result.stopped && !finished(state, control)) {
-    const double allowed = next_time_step(solid, state, control, closest);
+  result.stopped = observe && !observe();
+  while (!result.stopped && !finished(steps.now(), control)) {
+    const auto [time, step] = steps.now();
+    const double allowed = steps.allowed();
     if (!(allowed > control.collapse * history.dt.first)) {
       const Cause cause = std::isfinite(allowed) ? Cause::time_step_collapse : Cause::non_finite;
-      result.failure = Failure{state.time, state.step, cause, -1, allowed, "time step"};
+      result.failure = Failure{time, step, cause, -1, allowed, "time step"};
       break;
     }
-    const NextStep next = next_step(control, state.time, allowed);
-    if (!stepper.step(solid, state, next.dt)) {
-      result.failure = unsound(solid.unsound, state.time, state.step);
-      break;
-    }
-    if (next.meets) state.time = *next.meets;  // without the rounding of the sum
+    const NextStep next = next_step(control, time, allowed);
+    result.failure = steps.advance(next.dt);
+    if (result.failure) break;
+    if (next.meets) steps.set_time(*next.meets);
     if (!next.last)
       history.dt.count(allowed);
     else if (history.dt.first == 0)
       history.dt.count(next.dt);
-    if (state.step % steps_between_checks == 0)
-      result.failure = out_of_bounds(solid, state, control, history);
+    if (steps.now().step % steps_between_checks == 0) result.failure = steps.out_of_bounds(history);
     if (result.failure) break;
-    result.stopped = observe && !observe(solid, state);
+    result.stopped = observe && !observe();
   }
   result.dt = history.dt;
   return result;
+}
+
+template <int d>
+RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+              const Observer<d>& observe, RunHistory& history) {
+  if (control.energy_bound && !history.initial_energy)
+    history.initial_energy = energy_of(solid, state).total();
+  ClosestPairs<d> closest;
+  const Steps steps = steps_of(solid, state, stepper, control, closest);
+  const auto look = [&] { return !observe || observe(solid, state); };
+  return step_to_the_end(steps, control, look, history);
+}
+
+template <int d>
+Steps steps_of(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+               ClosestPairs<d>& closest) {
+  return {[&] {
+            return Moment{state.time, state.step};
+          },
+          [&](double time) { state.time = time; },
+          [&] { return next_time_step(solid, state, control, closest); },
+          [&](double dt) -> std::optional<Failure> {
+            if (stepper.step(solid, state, dt)) return std::nullopt;
+            return unsound(solid.unsound, state.time, state.step);
+          },
+          [&](const RunHistory& history) { return out_of_bounds(solid, state, control, history); }};
 }
 
 template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
@@ -143,5 +162,8 @@ template RunResult run<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepCon
                           RunHistory&);
 template RunResult run<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, const Observer<3>&,
                           RunHistory&);
+
+template Steps steps_of<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, ClosestPairs<2>&);
+template Steps steps_of<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, ClosestPairs<3>&);
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "plumbline/run/saved_state.hpp"
 #include "plumbline/time/closest_pairs.hpp"
 #include "plumbline/time/default_cfl.hpp"
 #include "plumbline/time/integrator.hpp"
@@ -27,7 +28,7 @@ struct StepControl {
   std::optional<double> hourglass_bound;
 };
 
-enum class Cause { non_finite, inverted, energy_growth, time_step_collapse, hourglass };
+enum class Cause { non_finite, inverted, energy_growth, time_step_collapse, hourglass, no_convergence };
 std::string_view name_of(Cause cause);
 
 struct Failure {
@@ -60,6 +61,22 @@ struct RunHistory {
   std::optional<double> initial_energy;  ///< total [J]; filled in by run() if a bound needs it
 };
 
+/// What the loop over time steps asks of a body, whatever its scheme.
+struct Steps {
+  std::function<Moment()> now;
+  std::function<void(double)> set_time;  ///< to the moment that a step was cut to meet [s], without rounding
+  std::function<double()> allowed;       ///< the step that the control allows now [s]
+  /// Steps by dt [s]. After a failure the state is the one before the step.
+  std::function<std::optional<Failure>(double dt)> advance;
+  /// Compares the body as a whole with the bounds of the control; asked every so many steps.
+  std::function<std::optional<Failure>(const RunHistory&)> out_of_bounds;
+};
+
+/// Steps until the end, a failure, or until `observe` returns false. It is called at the start and after
+/// every step; empty: nobody looks. The history's initial energy is there if a bound needs it.
+RunResult step_to_the_end(const Steps& steps, const StepControl& control,
+                          const std::function<bool()>& observe, RunHistory& history);
+
 /// Called at the start and after every step; false stops the run.
 template <int d>
 using Observer = std::function<bool(const Solid<d>&, const State<d>&)>;
@@ -75,6 +92,11 @@ bool follows_closest_pairs(const StepControl& control);
 template <int d>
 double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
                       ClosestPairs<d>& closest);
+
+/// The steps of a total Lagrangian body. All of its arguments must outlive them.
+template <int d>
+Steps steps_of(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+               ClosestPairs<d>& closest);
 
 /// Steps until the end. On failure the state is the last good one.
 template <int d>

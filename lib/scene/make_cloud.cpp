@@ -2,7 +2,7 @@
 
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

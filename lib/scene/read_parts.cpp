@@ -4,7 +4,7 @@
 
 #include "plumbline/scene/names.hpp"
 #include "plumbline/scene/readers.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

@@ -14,6 +14,7 @@
 #include "plumbline/input/expression.hpp"
 #include "plumbline/material/law.hpp"
 #include "plumbline/projection/projection_options.hpp"
+#include "plumbline/run/output_options.hpp"
 #include "plumbline/time/default_cfl.hpp"
 
 /// The scene file as plain values, in SI units. A section that is left out is a thing that is not built:
@@ -146,23 +147,6 @@ struct Boundary {
   std::vector<Expression> traction;      ///< [Pa], likewise
   std::optional<Expression> pressure;    ///< [Pa], positive into the body; kind pressure only
   std::optional<double> ramp;            ///< [s]: what is prescribed grows smoothly from 0 in this time
-};
-
-/// [[output.probe]]: follows the particle nearest to a reference point.
-struct Probe {
-  std::string name;
-  std::vector<double> at;  ///< [m], as many as the dimension
-};
-
-/// [output]: nothing is written that is not asked for.
-struct Output {
-  std::optional<double> every;  ///< [s]; nullopt: the first and the last state only
-  std::optional<double>
-      checkpoint;       ///< [s] between files to resume from; they are also kept at every early end
-  bool vtk = false;     ///< particles as .vtp with a .pvd
-  bool series = false;  ///< energies, momenta and probes against time as CSV
-  bool budget = false;  ///< momenta and energy by the cause that changed them, every step, as CSV
-  std::vector<Probe> probes;
 };
 
 /// A scene: everything a run needs. At least one of end_time and max_steps is given.

@@ -1,62 +1,28 @@
 #pragma once
 #include <memory>
-#include <string>
-#include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/compatible/compatible.hpp"
-#include "plumbline/dissipation/jst.hpp"
-#include "plumbline/run/run.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "plumbline/run/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 
-/// A scene made ready to run. What the scene does not name is not in it.
+/// A scene made ready to run by the scheme that it names.
 template <int d>
-struct Simulation {
-  Solid<d> solid;
-  State<d> state;
-  Stepper<d> stepper;
-  StepControl control;
-  Actions<d> actions;                                  ///< what acts from outside
-  std::vector<Support<d>> supports;                    ///< the components that `actions` holds
-  std::vector<std::string> warnings;                   ///< for people: settings that work but may surprise
-  std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
+struct BuiltScene {
+  Simulation<d> simulation;
+  std::shared_ptr<TlsphSimulation<d>> tlsph;  ///< the body of scheme "tlsph"; null for any other scheme
 };
 
-/// The shape of [body] less its holes.
+/// Builds the scene. Throws InputError.
 template <int d>
-Shape<d> shape_of(const Body& body);
+BuiltScene<d> make_simulation(const Scene& scene);
 
-/// The surface of [body] around its particles.
+/// A total Lagrangian body as the harness sees it.
 template <int d>
-Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
+Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const MaterialChoice& material);
 
-/// Particles of [body].
+/// What a total Lagrangian body shows of its state.
 template <int d>
-Cloud<d> make_cloud(const Body& body);
-
-/// Set-up choices of [method] and [jst] for a cloud.
-template <int d>
-BondOptions<d> bond_options(const Scene& scene, double spacing);
-
-/// Builds the whole scene. Throws InputError.
-template <int d>
-Simulation<d> make_simulation(const Scene& scene);
-
-/// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface; if it is
-/// not given it is estimated from the particles (shape_around), with a warning.
-template <int d>
-Simulation<d> make_simulation(const Scene& scene, Cloud<d> cloud,
-                              std::optional<Surface<d>> surface = std::nullopt);
-
-/// One array of a simulation, for `plumb explain` and memory figures.
-struct ArrayEntry {
-  std::string name;
-  std::size_t bytes;
-};
-template <int d>
-std::vector<ArrayEntry> arrays_of(const Simulation<d>& simulation);
+Snapshot<d> snapshot_of(const Solid<d>& solid, const State<d>& state, const MaterialChoice& material);
 
 }  // namespace plumb

@@ -53,10 +53,9 @@ struct SchemeEnergy {
   }
 };
 
-/// One line of what `plumb explain` says about a scheme.
+/// One line of what a scene solves: "force", "adjoint: minus the derivative ..", "THEORY (5.1), (5.3)".
 struct Statement {
-  std::string text;      ///< a sentence
-  std::string equation;  ///< where it stands: "003 (54)"; may be empty
+  std::string topic, text, theory;
 };
 
 /// A state lists its fields: visit(FieldInfo, Field&).

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/solid/make_sweeps.hpp"
 
 struct LinearElasticity {  // W = lambda/2 (tr e)^2 + mu e:e,  P = dW/dF = lambda tr e I + 2 mu e,  e = (F +
@@ -56,7 +56,7 @@ int main() {
   std::string text = box_on_rollers;
   for (const char* face : {"x-", "x+", "y-", "y+"})
     text += std::string("[[boundary]]\nkind = \"roller\"\nface = \"") + face + "\"\n";
-  auto wave = plumb::make_simulation<2>(plumb::parse_scene(text, "standing wave"));
+  auto wave = plumb::make_tlsph<2>(plumb::parse_scene(text, "standing wave"));
   wave.solid.sweeps = plumb::sweeps_of<2>(LinearElasticity(wave.solid.elastic), wave.solid.bonds);
   const bool completed = plumb::run<2>(wave.solid, wave.state, wave.stepper, wave.control).completed();
 

@@ -8,7 +8,7 @@
 #include "plumbline/core/error.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/solid/evaluate.hpp"
 
 namespace plumb::mms {
@@ -55,8 +55,8 @@ TEST(PolarCloud, IsMadeCompatible) {
   scene.max_steps = 1;
   scene.material = {"neo-hookean", 17e6, 0.45, 1100};
   scene.method.gradient = "compatible";
-  EXPECT_FALSE(make_simulation<2>(scene, cloud).warnings.empty());  // its surface is not given: a guess
-  auto simulation = make_simulation<2>(scene, cloud, std::optional(surface));
+  EXPECT_FALSE(make_tlsph<2>(scene, cloud).warnings.empty());  // its surface is not given: a guess
+  auto simulation = make_tlsph<2>(scene, cloud, std::optional(surface));
   Solid<2>& solid = simulation.solid;
   Mat<2> G;
   G << 0.3, -0.1, 0.2, 0.1;

@@ -255,8 +255,8 @@ TEST_F(Resume, AnUnstableRunKeepsItsLastGoodState) {
   EXPECT_EQ(failed["status"], "unstable");
   EXPECT_TRUE(failed["failure"].contains("cause"));
   const Checkpoint last = read_checkpoint(checkpoint("out"));
-  EXPECT_LE(last.step, failed["steps"].get<long>());
-  EXPECT_GT(last.step, 0);
+  EXPECT_LE(last.state.now.step, failed["steps"].get<long>());
+  EXPECT_GT(last.state.now.step, 0);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "places.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 
@@ -149,7 +149,7 @@ struct Drift {
 
 template <int d>
 Drift drift_of(const Scene& scene, long every) {
-  Simulation<d> simulation = make_simulation<d>(scene);
+  TlsphSimulation<d> simulation = make_tlsph<d>(scene);
   const double energy = energy_of(simulation.solid, simulation.state).total();
   const Momentum start = momentum_of(simulation.solid, simulation.state);
   Drift drift;

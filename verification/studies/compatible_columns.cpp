@@ -8,7 +8,7 @@
 #include "places.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 
@@ -21,8 +21,8 @@ struct Outcome {
 
 Outcome outcome_of(const std::string& scene_file, std::vector<std::string> overrides) {
   overrides.emplace_back("compatible.table=projected");
-  Simulation<3> simulation =
-      make_simulation<3>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene_file, overrides));
+  TlsphSimulation<3> simulation =
+      make_tlsph<3>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene_file, overrides));
   const double energy = energy_of(simulation.solid, simulation.state).total();
   const auto result = run(simulation.solid, simulation.state, simulation.stepper, simulation.control);
   const double change = energy > 0 ? energy_of(simulation.solid, simulation.state).total() / energy - 1 : 0;

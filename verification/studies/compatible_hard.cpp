@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/spectrum/spectrum.hpp"
 
 using namespace plumb;
@@ -43,11 +43,11 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
 }
 
 template <int d>
-Simulation<d> build(const Hard<d>& hard, double beta) {
+TlsphSimulation<d> build(const Hard<d>& hard, double beta) {
   Scene scene = hard.scene;
   scene.method.beta = beta;
-  if (!hard.cloud) return make_simulation<d>(scene);
-  return make_simulation<d>(scene, *hard.cloud, box_surface<d>(*hard.cloud));
+  if (!hard.cloud) return make_tlsph<d>(scene);
+  return make_tlsph<d>(scene, *hard.cloud, box_surface<d>(*hard.cloud));
 }
 
 /// What is measured on a cloud that works.
@@ -65,7 +65,7 @@ struct Sound {
 };
 
 template <int d>
-double affine_error(Simulation<d>& simulation) {
+double affine_error(TlsphSimulation<d>& simulation) {
   Mat<d> G;
   for (int a = 0; a < d; ++a)
     for (int b = 0; b < d; ++b) G(a, b) = 0.1 * std::sin(1.0 + 3 * a + 7 * b);
@@ -80,7 +80,7 @@ double affine_error(Simulation<d>& simulation) {
 }
 
 template <int d>
-double energy_change(Simulation<d>& simulation, double step) {
+double energy_change(TlsphSimulation<d>& simulation, double step) {
   simulation.control.fixed_step = step;
   const double start = energy_of(simulation.solid, simulation.state).total();
   double change = 0;
@@ -95,7 +95,7 @@ double energy_change(Simulation<d>& simulation, double step) {
 
 template <int d>
 Sound measure(const Hard<d>& hard, double beta) {
-  Simulation<d> simulation = build(hard, beta);
+  TlsphSimulation<d> simulation = build(hard, beta);
   const double cell = std::pow(simulation.solid.cloud.spacing, d);
   Sound found{};
   found.beta = beta;

@@ -10,7 +10,7 @@
 #include "plumbline/diagnostics/budget.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 
@@ -28,7 +28,7 @@ template <int d>
 EnergyHistory energy_history(const std::string& file, const std::vector<std::string>& overrides,
                              double time) {
   const Scene scene = read_scene(std::string(PLUMBLINE_SOURCE_DIR "/verification/") + file, overrides);
-  Simulation<d> s = make_simulation<d>(scene);
+  TlsphSimulation<d> s = make_tlsph<d>(scene);
   s.control.end_time = time;
   s.control.max_steps.reset();
   // a constant step: Verlet is symplectic for that only
@@ -89,7 +89,7 @@ TEST_CASE("conservation: JST takes energy, in every step with L^T V L, and is al
     const Scene scene = read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/bending-column.toml",
                                    {"method.momentum=adjoint", "method.cfl=0.25", "scene.end_time=0.02",
                                     std::string("jst.outer=") + outer});
-    Simulation<3> s = make_simulation<3>(scene);
+    TlsphSimulation<3> s = make_tlsph<3>(scene);
     const double start = energy_of(s.solid, s.state).total();
     Budget<3> budget(s.solid, s.state, s.stepper.weights);
     double most = -1;

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/spectrum/lattice_symbol.hpp"
 
 namespace plumb {
@@ -26,7 +26,7 @@ Scene block(int dimension, int n, double poisson) {
 
 template <int d>
 LinearOperator<d> operator_of(const Scene& scene) {
-  const Simulation<d> simulation = make_simulation<d>(scene);
+  const TlsphSimulation<d> simulation = make_tlsph<d>(scene);
   return {simulation.solid, simulation.supports};
 }
 

@@ -6,7 +6,7 @@
 
 #include "plumbline/boundary/supports.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/solid/evaluate.hpp"
 
 namespace plumb {
@@ -33,7 +33,7 @@ std::string boundary(const std::string& face, const std::string& kind, const std
 
 /// Velocities that are prescribed, by particle and component.
 template <int d>
-std::map<std::pair<Index, int>, double> held(const Simulation<d>& simulation) {
+std::map<std::pair<Index, int>, double> held(const TlsphSimulation<d>& simulation) {
   std::map<std::pair<Index, int>, double> found;
   for (const auto& s : simulation.supports) found[{s.particle, s.component}] = s.velocity;
   return found;
@@ -51,7 +51,7 @@ void expect_rollers_where_they_meet(const std::string& layout) {
   std::string boundaries;
   for (int axis = 0; axis < d; ++axis)
     boundaries += boundary(std::string(1, "xyz"[axis]) + (axis == 1 ? "+" : "-"), "roller");
-  const auto simulation = make_simulation<d>(parse_scene(scene_with(d, layout, boundaries), "t.toml"));
+  const auto simulation = make_tlsph<d>(parse_scene(scene_with(d, layout, boundaries), "t.toml"));
   const auto found = held(simulation);
   const Cloud<d>& cloud = simulation.solid.cloud;
   std::size_t expected = 0;
@@ -74,7 +74,7 @@ TEST(Held, RollersHoldEveryDirectionWhereTheyMeet) {
 TEST(Held, ClampedAndMovedFacesHoldAllComponents) {
   const std::string moves = boundary("y+", "velocity", "velocity = [\"0.5 m/s\", \"-0.25*X\"]\n");
   const auto simulation =
-      make_simulation<2>(parse_scene(scene_with(2, "node", boundary("y-", "clamped") + moves), "t.toml"));
+      make_tlsph<2>(parse_scene(scene_with(2, "node", boundary("y-", "clamped") + moves), "t.toml"));
   const auto found = held(simulation);
   const Cloud<2>& cloud = simulation.solid.cloud;
   std::size_t expected = 0;
@@ -93,7 +93,7 @@ TEST(Held, ClampedAndMovedFacesHoldAllComponents) {
 TEST(Held, StepsMoveHeldParticlesAtTheirVelocityOnly) {
   for (const std::string integrator : {"verlet", "rk3"}) {
     const std::string moves = boundary("y+", "velocity", "velocity = [\"0\", \"1 m/s\"]\n");
-    auto s = make_simulation<2>(
+    auto s = make_tlsph<2>(
         parse_scene(scene_with(2, "node", boundary("x-", "roller") + boundary("y-", "clamped") + moves),
                     "t.toml", {"method.integrator=" + integrator}));
     for (int n = 0; n < 3; ++n) ASSERT_TRUE(s.stepper.step(s.solid, s.state, 1e-4));

@@ -6,7 +6,7 @@
 #include "plumbline/geometry/layout.hpp"
 #include "plumbline/material/models/neo_hookean.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb {
@@ -82,7 +82,7 @@ void estimated_surface_leaves_its_own_areas(double jitter) {
   scene.material = {"neo-hookean", 17e6, 0.3, 1100};
   scene.method.momentum = "variational";
   scene.method.compatible.surface = "estimated";
-  auto made = make_simulation<d>(scene);
+  auto made = make_tlsph<d>(scene);
   EXPECT_EQ(made.warnings.size(), 1U);
   Solid<d>& solid = made.solid;
   Mat<d> G = Mat<d>::Constant(0.1);
@@ -165,7 +165,7 @@ density = 1000
 [method]
 momentum = "variational"
 )";
-  EXPECT_NO_THROW(make_simulation<2>(parse_scene(scene, "test.toml")));
+  EXPECT_NO_THROW(make_tlsph<2>(parse_scene(scene, "test.toml")));
   try {
     parse_scene(scene, "test.toml", {"method.gradient=compatible"});
     FAIL() << "no error";

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "tests/support/clouds.hpp"
 
 namespace plumb {
@@ -27,7 +27,7 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
 
 /// Affine motion is exact on the cloud, and no particle inside feels a force.
 template <int d>
-void expect_patch_test(Simulation<d> simulation, double tolerance) {
+void expect_patch_test(TlsphSimulation<d> simulation, double tolerance) {
   test::Numbers numbers(3);
   const Mat<d> G = 0.1 * numbers.matrix<d>();
   Solid<d>& solid = simulation.solid;
@@ -46,7 +46,7 @@ void expect_patch_test(Simulation<d> simulation, double tolerance) {
 template <int d>
 std::string refusal(const Scene& scene) {
   try {
-    make_simulation<d>(scene);
+    make_tlsph<d>(scene);
   } catch (const InputError& error) {
     return error.problem() + ": " + error.why();
   }
@@ -59,8 +59,8 @@ TEST(HardClouds, OneNodeThick) {
   EXPECT_NE(strip.find("particle"), std::string::npos) << strip;
   const std::string plate = refusal<3>(scene_of<3>({1, 1, 0.1}, 0.1, Layout::cell));
   EXPECT_NE(plate.find("particle"), std::string::npos) << plate;
-  expect_patch_test<2>(make_simulation<2>(scene_of<2>({2, 0.1}, 0.1, Layout::node)), 1e-11);  // two layers
-  expect_patch_test<3>(make_simulation<3>(scene_of<3>({0.8, 0.6, 0.1}, 0.1, Layout::node)), 1e-11);
+  expect_patch_test<2>(make_tlsph<2>(scene_of<2>({2, 0.1}, 0.1, Layout::node)), 1e-11);  // two layers
+  expect_patch_test<3>(make_tlsph<3>(scene_of<3>({0.8, 0.6, 0.1}, 0.1, Layout::node)), 1e-11);
 }
 
 /// A square of node lattice whose spacing grows from one to ten times, symmetric about its middle.
@@ -83,10 +83,10 @@ TEST(HardClouds, Clustered) {
   Scene scene = scene_of<2>({1, 1}, 1.0 / 12, Layout::node);
   for (const double beta : {1.8, 2.2}) {  // h for the largest spacing, 1.8 of the mean one
     scene.method.beta = beta;
-    expect_patch_test<2>(make_simulation<2>(scene, cloud, box_surface(cloud)), 1e-9);
+    expect_patch_test<2>(make_tlsph<2>(scene, cloud, box_surface(cloud)), 1e-9);
   }
   scene.method.beta = 0.6;  // the outer particles see too few others
-  EXPECT_THROW(make_simulation<2>(scene, cloud, box_surface(cloud)), InputError);
+  EXPECT_THROW(make_tlsph<2>(scene, cloud, box_surface(cloud)), InputError);
 }
 
 // Two particles at nearly one place: sound down to a gap of 1e-4 spacings; below it the projection says that
@@ -102,8 +102,7 @@ TEST(HardClouds, NearlyDuplicateParticles) {
     try {
       cloud.V =
           gap < 1e-8 ? std::vector<double>(cloud.X.size(), 0.01) : voronoi_volumes<2>(cloud.X, cloud.box);
-      expect_patch_test<2>(make_simulation<2>(scene, cloud, box_surface(gap < 1e-8 ? whole : cloud)),
-                           1e-11 / gap);
+      expect_patch_test<2>(make_tlsph<2>(scene, cloud, box_surface(gap < 1e-8 ? whole : cloud)), 1e-11 / gap);
       EXPECT_GE(gap, 1e-7);
     } catch (const InputError& error) {
       std::cout << "gap " << gap << ": " << error.problem() << " (" << error.why() << ")\n";
@@ -123,7 +122,7 @@ TEST(HardClouds, StrongJitter) {
       const std::string said = refusal<2>(scene);
       RecordProperty("beta " + std::to_string(beta) + " seed " + std::to_string(seed), said);
       if (said.empty())
-        expect_patch_test<2>(make_simulation<2>(scene), 1e-11);
+        expect_patch_test<2>(make_tlsph<2>(scene), 1e-11);
       else
         EXPECT_NE(said.find("particle"), std::string::npos) << said;
     }
@@ -134,11 +133,11 @@ TEST(HardClouds, BlueNoise) {
     Scene scene = scene_of<2>({1, 1}, 0.05, layout);
     scene.body.cloud = "blue-noise";
     scene.method.beta = 1.2;
-    expect_patch_test<2>(make_simulation<2>(scene), 1e-11);
+    expect_patch_test<2>(make_tlsph<2>(scene), 1e-11);
     Scene solid = scene_of<3>({1, 1, 1}, 0.2, layout);
     solid.body.cloud = "blue-noise";
     solid.method.beta = 1.2;
-    expect_patch_test<3>(make_simulation<3>(solid), 1e-11);
+    expect_patch_test<3>(make_tlsph<3>(solid), 1e-11);
   }
 }
 
@@ -148,7 +147,7 @@ TEST(HardClouds, LargeChangesAreWarnedOf) {
   scene.body.jitter = 0.2;
   scene.body.holes = {{"ball", {{"centre", {0.5, 0.5}}, {"radius", {0.25}}}}};
   const auto warned = [&scene] {
-    const auto made = make_simulation<2>(scene);
+    const auto made = make_tlsph<2>(scene);
     const bool large = made.compatible->largest_change > 3;
     EXPECT_EQ(made.warnings.size(), large ? 1U : 0U);
     if (large && !made.warnings.empty()) {
@@ -172,12 +171,12 @@ TEST(HardClouds, WithoutASurface) {
     scene.body.jitter = jitter;
     scene.method.beta = 1.2;
     scene.method.compatible.surface = "estimated";
-    const auto made = make_simulation<2>(scene);
+    const auto made = make_tlsph<2>(scene);
     EXPECT_EQ(made.warnings.size(), 1U);
     double volume = 0;
     for (const double V : made.solid.cloud.V) volume += V;
     EXPECT_NEAR(volume / 0.8, 1, 0.1);  // 5 % of it is within a spacing of the corners
-    expect_patch_test<2>(make_simulation<2>(scene), 1e-11);
+    expect_patch_test<2>(make_tlsph<2>(scene), 1e-11);
   }
 }
 

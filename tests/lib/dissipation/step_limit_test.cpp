@@ -6,7 +6,7 @@
 
 #include "plumbline/dissipation/jst.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/solid/evaluate.hpp"
 #include "tests/support/solids.hpp"
 
@@ -69,7 +69,7 @@ TEST(JstStepLimit, OfASceneIsThatOfItsIntegrator) {
       "density = 1100\n[method]\nintegrator = \"rk3\"\n[jst]\neta4 = 0.25\n";
   for (const auto& [integrator, region] : {std::pair{"rk3", 2.51}, std::pair{"verlet", 2.0}}) {
     const auto simulation =
-        make_simulation<2>(parse_scene(text, "t.toml", {std::string("method.integrator=") + integrator}));
+        make_tlsph<2>(parse_scene(text, "t.toml", {std::string("method.integrator=") + integrator}));
     const Solid<2>& solid = simulation.solid;
     EXPECT_NEAR(solid.step_limit, jst_step_limit(solid, {0, 0.25}, region), 1e-12 * solid.step_limit)
         << integrator;

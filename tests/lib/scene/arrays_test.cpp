@@ -11,7 +11,7 @@
 #endif
 
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {
@@ -57,9 +57,9 @@ std::vector<std::string> expected_names(const Wanted& wanted) {
 TEST_P(Arrays, AreTheOnesThatTheSceneNeedsAndNoMemoryIsKeptBeside) {
   const Wanted& wanted = GetParam();
   const Scene scene = parse_scene(bare + wanted.sections, "test.toml", wanted.overrides);
-  make_simulation<3>(scene);  // whatever is allocated once for all
+  make_tlsph<3>(scene);  // whatever is allocated once for all
   const std::size_t before = allocated();
-  Simulation<3> simulation = make_simulation<3>(scene);
+  TlsphSimulation<3> simulation = make_tlsph<3>(scene);
   std::size_t listed = 0;
   std::vector<std::string> names;
   for (const auto& array : arrays_of(simulation)) {
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// eta2 = 0 keeps one array of JST, not two.
 TEST(Arrays, OfAPartThatIsOffAreNotThere) {
   const auto bytes_of_jst = [](const std::string& section) {
-    for (const auto& array : arrays_of(make_simulation<3>(parse_scene(bare + section, "test.toml"))))
+    for (const auto& array : arrays_of(make_tlsph<3>(parse_scene(bare + section, "test.toml"))))
       if (array.name == "jst") return array.bytes;
     return std::size_t{0};
   };
@@ -116,7 +116,7 @@ TEST(Arrays, OfAPartThatIsOffAreNotThere) {
 
 /// The limit of issue 5 for a lattice, adjoint force and Verlet, everything included.
 TEST(Arrays, Take250BytesAParticleAtMost) {
-  const auto simulation = make_simulation<3>(parse_scene(bare, "test.toml", {"body.spacing=0.025"}));
+  const auto simulation = make_tlsph<3>(parse_scene(bare, "test.toml", {"body.spacing=0.025"}));
   std::size_t bytes = 0;
   for (const auto& array : arrays_of(simulation)) bytes += array.bytes;
   EXPECT_EQ(simulation.solid.cloud.size(), 64000);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {
@@ -137,7 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
             "dimension"},
         Bad{"VelocityAndSpin", "velocity = [\"Y\", \"-X\"]", "velocity = [\"Y\", \"-X\"]\nspin = [0, 0, 1]",
             25, "initial.spin", "contradicts"},
-        Bad{"EmptyInitial", "velocity = [\"Y\", \"-X\"]\n", "", 23, "initial", "velocity, spin or displacement"},
+        Bad{"EmptyInitial", "velocity = [\"Y\", \"-X\"]\n", "", 23, "initial",
+            "velocity, spin or displacement"},
         Bad{"FaceOfTheThirdAxis", "face = \"x-\"", "face = \"z-\"", 26, "boundary.0.face", "z-"},
         Bad{"NoPlaceOfTheBoundary", "face = \"x-\"\n", "", 25, "boundary.0", "face"},
         Bad{"BoundaryKind", "kind = \"clamped\"", "kind = \"clampd\"", 27, "boundary.0.kind", "clamped"},
@@ -155,7 +156,7 @@ TEST(GoodScene, IsAccepted) {
   EXPECT_EQ(scene.dimension, 2);
   EXPECT_DOUBLE_EQ(scene.material.young, 17e6);
   EXPECT_DOUBLE_EQ(*scene.end_time, 1e-3);
-  EXPECT_EQ(make_simulation<2>(scene).solid.cloud.size(), 100);
+  EXPECT_EQ(make_tlsph<2>(scene).solid.cloud.size(), 100);
 }
 
 TEST(GoodScene, OverridesReplaceValuesAndAreCheckedLikeTheFile) {
@@ -168,7 +169,7 @@ TEST(SingularNeighbourhood, IsRefusedWithParticlePositionAndCount) {
   const Scene scene =
       parse_scene(good, "good.toml", {"method.beta=0.4"});  // R = 0.8 d: every particle is alone
   try {
-    make_simulation<2>(scene);
+    make_tlsph<2>(scene);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     const std::string message = error.what();

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {
@@ -32,7 +32,7 @@ TEST(CompatibleScene, IsBuiltWithEitherMomentumFormAndEitherTreatmentOfVolumes) 
                         "test.toml", {std::string("method.momentum=") + momentum});
         EXPECT_EQ(scene.method.compatible.volumes, volumes);
         EXPECT_EQ(scene.method.compatible.start, start);
-        const auto simulation = make_simulation<2>(scene);
+        const auto simulation = make_tlsph<2>(scene);
         EXPECT_EQ(simulation.solid.cloud.size(), 36);
       }
 }
@@ -41,7 +41,7 @@ TEST(CompatibleScene, IsBuiltWithEitherMomentumFormAndEitherTreatmentOfVolumes) 
 bool is_closed(const std::vector<std::string>& changes) {
   std::vector<std::string> all{"body.jitter=0"};
   all.insert(all.end(), changes.begin(), changes.end());
-  const auto simulation = make_simulation<2>(parse_scene(scene_with("compatible"), "test.toml", all));
+  const auto simulation = make_tlsph<2>(parse_scene(scene_with("compatible"), "test.toml", all));
   const CompatibleReport& report = *simulation.compatible;
   EXPECT_EQ(report.closed_form, report.why_projected.empty());
   EXPECT_EQ(report.closed_form, report.unknowns == 0);
@@ -85,7 +85,7 @@ TEST(DefaultScheme, CompatibleBondsHaveAWiderSupportWhereASurfaceCutsTheCloud) {
     const Scene scene = without_method(changes);
     EXPECT_EQ(scene.method.gradient, gradient);
     EXPECT_EQ(scene.method.beta, beta);
-    EXPECT_TRUE(make_simulation<2>(scene).warnings.empty());
+    EXPECT_TRUE(make_tlsph<2>(scene).warnings.empty());
   };
   const std::string compatible = "method.gradient=compatible";
   const std::string hole = "body.hole=[{shape='ball', centre=[0.5, 0.5], radius=0.25}]";
@@ -96,7 +96,7 @@ TEST(DefaultScheme, CompatibleBondsHaveAWiderSupportWhereASurfaceCutsTheCloud) {
   expect({compatible, hole}, "compatible", 1.2);
   expect({compatible, "body.cloud=blue-noise"}, "compatible", 1.2);
   expect({compatible, "body.cloud=blue-noise", "method.beta=1.3"}, "compatible", 1.3);
-  EXPECT_TRUE(make_simulation<2>(without_method({compatible})).compatible->closed_form);
+  EXPECT_TRUE(make_tlsph<2>(without_method({compatible})).compatible->closed_form);
 }
 
 // One word for the keys of the paper's scenes; a key that is given wins.
@@ -118,11 +118,11 @@ TEST(DefaultScheme, PaperIsTheSchemeOfThePaper) {
 }
 
 TEST(HourglassScene, LeavesNoTraceUnlessItIsNamed) {
-  const auto without = make_simulation<2>(parse_scene(scene_with("compatible"), "test.toml"));
+  const auto without = make_tlsph<2>(parse_scene(scene_with("compatible"), "test.toml"));
   EXPECT_TRUE(without.solid.terms.empty());
   EXPECT_EQ(without.solid.F.components(), 0);
   for (const char* alpha : {"0", "0.5"}) {
-    const auto with = make_simulation<2>(parse_scene(
+    const auto with = make_tlsph<2>(parse_scene(
         scene_with("compatible", std::string("[hourglass]\nalpha = ") + alpha + "\n"), "test.toml"));
     EXPECT_EQ(with.solid.terms.size(), alpha[0] == '0' && alpha[1] == 0 ? 0 : 1) << alpha;
   }

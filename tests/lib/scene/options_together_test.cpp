@@ -9,7 +9,7 @@
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/material/laws.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/solid/evaluate.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/plain_body.hpp"
@@ -132,7 +132,7 @@ test::PlainChoices plain_choices(const Row& row) {
 }
 
 template <int d>
-std::vector<Vec<d>> forces_of(Simulation<d>& body) {
+std::vector<Vec<d>> forces_of(TlsphSimulation<d>& body) {
   std::vector<Vec<d>> by_slot(body.solid.bonds.slots.count(), Vec<d>::Zero()), f;
   EXPECT_TRUE(evaluate(body.solid, body.state, 0.0, [&](const Block& block, BlockForce<d>& force) {
     for (Index i = block.begin(); i < block.end(); ++i)
@@ -167,7 +167,7 @@ std::pair<double, double> compare(const std::vector<Vec<d>>& a, const std::vecto
 template <int d>
 void check(const Row& row) {
   SCOPED_TRACE(scene_of(row));
-  auto body = make_simulation<d>(parse_scene(scene_of(row), "pairs.toml"));
+  auto body = make_tlsph<d>(parse_scene(scene_of(row), "pairs.toml"));
   const Cloud<d>& cloud = body.solid.cloud;
   test::Numbers numbers(3);
   std::vector<Vec<d>> u, v;

@@ -6,7 +6,7 @@
 
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "plumbline/spectrum/spectrum.hpp"
 
 namespace plumb {
@@ -46,7 +46,7 @@ density = 1100
 }
 
 std::vector<std::string> warned(const std::vector<std::string>& changes) {
-  return make_simulation<2>(scene_with(changes)).warnings;
+  return make_tlsph<2>(scene_with(changes)).warnings;
 }
 
 bool one(const std::vector<std::string>& warnings, const std::string& part) {
@@ -74,7 +74,7 @@ TEST(Warnings, WideKernelNearAFreeFace) {
   std::string rollers;
   for (const char* face : {"x-", "x+", "y-", "y+"})
     rollers += fmt::format("[[boundary]]\nface = \"{}\"\nkind = \"roller\"\n", face);
-  EXPECT_TRUE(make_simulation<2>(scene_with({"method.momentum=symmetrised", "method.beta=1.2"}, 2, rollers))
+  EXPECT_TRUE(make_tlsph<2>(scene_with({"method.momentum=symmetrised", "method.beta=1.2"}, 2, rollers))
                   .warnings.empty());
   EXPECT_TRUE(one(warned({"method.momentum=symmetrised"}), "nothing damps"));
   EXPECT_TRUE(warned({"method.beta=1.1"}).empty());
@@ -84,7 +84,7 @@ TEST(Warnings, WideKernelNearAFreeFace) {
 /// The rule behind that warning, by eigenvalues: the numbers in its text and the factor past R = 2 d.
 TEST(Warnings, GrowthPastTwoSpacingsIsAsTheTextSays) {
   const auto spectrum = [](const char* momentum, double beta) {
-    const auto simulation = make_simulation<3>(
+    const auto simulation = make_tlsph<3>(
         scene_with({std::string("method.momentum=") + momentum, fmt::format("method.beta={}", beta)}, 3));
     LinearOperator<3> op(simulation.solid, simulation.supports);
     return spectrum_of(op);
@@ -101,16 +101,16 @@ TEST(Warnings, JstAboveItsStepCap) {
   EXPECT_TRUE(one(warned(strong), "JST limits the time step"));
   EXPECT_TRUE(warned({"method.integrator=rk3", "jst.eta4=0.001"}).empty());
   // a fixed step is not limited: 3 % above the cap it is warned of, and blows up
-  const double cap = make_simulation<2>(scene_with(strong)).solid.step_limit;
+  const double cap = make_tlsph<2>(scene_with(strong)).solid.step_limit;
   const auto fixed = [&](double share) {
     return scene_with({"method.integrator=rk3", "jst.eta4=0.5",
                        fmt::format("method.time_step={}", share * cap),
                        "initial.velocity=['1e-3*X*Y', '1e-3*X*Y*Y']", "scene.max_steps=600"});
   };
-  EXPECT_TRUE(one(make_simulation<2>(fixed(1.03)).warnings, "what JST bears"));
-  EXPECT_TRUE(make_simulation<2>(fixed(0.97)).warnings.empty());
+  EXPECT_TRUE(one(make_tlsph<2>(fixed(1.03)).warnings, "what JST bears"));
+  EXPECT_TRUE(make_tlsph<2>(fixed(0.97)).warnings.empty());
   const auto completes = [&](double share) {
-    auto simulation = make_simulation<2>(fixed(share));
+    auto simulation = make_tlsph<2>(fixed(share));
     return run<2>(simulation.solid, simulation.state, simulation.stepper, simulation.control).completed();
   };
   EXPECT_TRUE(completes(0.97));

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "plumbline/material/models/neo_hookean.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -30,12 +30,12 @@ Scene block(long particles, bool irregular) {
 
 /// A deformed body with all that the kernels need.
 struct Body {
-  Simulation<3> simulation;
+  TlsphSimulation<3> simulation;
   Cloud<3> cloud;  ///< another copy: setting up a table may change it
   BondOptions<3> options;
 
   explicit Body(const Scene& scene)
-      : simulation(make_simulation<3>(scene)),
+      : simulation(make_tlsph<3>(scene)),
         cloud(make_cloud<3>(scene.body)),
         options(bond_options<3>(scene, cloud.spacing)) {
     for (Index i = 0; i < cloud.size(); ++i) {

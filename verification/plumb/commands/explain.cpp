@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 /// Wall time of one step [s], measured on this machine: the mean over at least 0.1 s or `most` steps, after
 /// one step that warms up. Advances the simulation, which is thrown away. Null if it fails at once.
 template <int d>
-std::optional<double> seconds_per_step(Simulation<d>& simulation, double dt, long most) {
+std::optional<double> seconds_per_step(TlsphSimulation<d>& simulation, double dt, long most) {
   using Clock = std::chrono::steady_clock;
   if (!simulation.stepper.step(simulation.solid, simulation.state, dt)) return std::nullopt;
   const auto start = Clock::now();
@@ -66,7 +66,7 @@ Json json_of(const Costs& costs) {
 }
 
 template <int d>
-Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& simulation) {
+Json explanation(const Scene& scene, const std::string& shows, TlsphSimulation<d>& simulation) {
   const auto arrays = arrays_of(simulation);
   const std::size_t bytes = total_bytes(arrays);
   const Index particles = simulation.solid.cloud.size();
@@ -111,7 +111,7 @@ int explain(const Session& session, const Scene& scene, const std::string& shows
   if (scene.method.gradient == "compatible")
     projection = projection_cost<d>(scene, make_cloud<d>(scene.body));
   session.text() << text_of(projection) << std::flush;  // before it is spent
-  Simulation<d> simulation = make_simulation<d>(scene);
+  TlsphSimulation<d> simulation = make_tlsph<d>(scene);
   Json json = explanation(scene, shows, simulation);
   if (projection) json["compatible"]["expected_cpu_s"] = projection->cpu_s;
   tell(session.text(), json);

@@ -9,7 +9,6 @@
 #include "plumb/commands.hpp"
 #include "plumb/provenance.hpp"
 #include "plumb/run/advance.hpp"
-#include "plumb/run/frame.hpp"
 #include "plumb/run/interrupt.hpp"
 #include "plumb/run/result_folder.hpp"
 #include "plumb/run/scene_options.hpp"
@@ -17,6 +16,7 @@
 #include "plumb/session.hpp"
 #include "plumb/usage.hpp"
 #include "plumbline/output/file.hpp"
+#include "plumbline/run/frame.hpp"
 
 namespace plumb {
 namespace {
@@ -96,24 +96,23 @@ int run_into(ResultFolder* folder, const Session& session, const Scene& scene, c
              double start) {
   const auto settings = settings_of(options.scene);
   const auto from = folder ? starting_point(options, folder->checkpoint(), settings) : std::nullopt;
-  Simulation<d> simulation = make_simulation<d>(scene);
-  if (session.threads == 0 && simulation.solid.cloud.size() < worth_threads) omp_set_num_threads(1);
+  const Output output = scene.output.value_or(Output{});
+  auto [simulation, tlsph] = make_simulation<d>(scene);
+  if (session.threads == 0 && simulation.counts().particles < worth_threads) omp_set_num_threads(1);
   for (const auto& warning : simulation.warnings) session.warn(warning);
   RunBook book = from ? restore(*from, simulation) : begin_book(simulation);
   std::optional<Checkpoints<d>> checkpoints;
   if (folder) {
     folder->make(from.has_value());
-    checkpoints.emplace(folder->checkpoint(), scene.output.value_or(Output{}).checkpoint, version_text(),
-                        settings);
+    checkpoints.emplace(folder->checkpoint(), output.checkpoint, version_text(), settings);
   }
-  Recorder<d> recorder(scene, folder ? folder->path() : "", simulation.solid,
+  Recorder<d> recorder(output, folder ? folder->path() : "", simulation,
                        from ? std::optional(from->recorder) : std::nullopt);
-  std::optional<BudgetFile<d>> budget;
-  if (scene.output && scene.output->budget) budget.emplace(folder->budget(), simulation);
+  if (output.budget) simulation.keep_budget(folder->budget());
   book.timing.setup = wall_time() - start;
-  const RunFiles<d> files{recorder, checkpoints ? &*checkpoints : nullptr, budget ? &*budget : nullptr};
-  const RunResult result = advance(scene, simulation, book, files, session.progress());
-  const FinishedRun<d> finished{scene, simulation, result, recorder.probes(), book};
+  const RunFiles<d> files{recorder, checkpoints ? &*checkpoints : nullptr};
+  const RunResult result = advance(scene.name, simulation, book, files, session.progress());
+  const FinishedRun<d> finished{scene, simulation, tlsph.get(), result, recorder.probes(), book};
   auto json = summary(finished);
   json["settings"] = settings;
   session.text() << summary_text(finished);
@@ -121,12 +120,11 @@ int run_into(ResultFolder* folder, const Session& session, const Scene& scene, c
     session.write_json_file(json, folder->summary(), result.completed() ? 0 : 1);
     if (result.completed()) std::filesystem::remove(folder->checkpoint());  // there is nothing to go on with
     if (!result.completed())
-      session.text() << kept_text(options, *folder, simulation.state.time, result.stopped);
-    session.text() << files_text(*folder, recorder, budget.has_value());
+      session.text() << kept_text(options, *folder, simulation.steps.now().time, result.stopped);
+    session.text() << files_text(*folder, recorder, output.budget);
   }
   session.write_json(json);
-  if (!session.csv.empty())
-    session.write_csv(Frame<d>(simulation.solid, simulation.state, scene.material).table());
+  if (!session.csv.empty()) session.write_csv(Frame<d>(simulation.snapshot()).table());
   return result.completed() ? 0 : result.stopped ? interrupt_exit_code() : 1;
 }
 

@@ -13,7 +13,7 @@
 #include "plumb/symbol_output.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 #include "reports/modes.hpp"
 
 namespace plumb {
@@ -51,7 +51,7 @@ std::vector<std::vector<std::string>> combinations(const std::vector<std::string
 
 template <int d>
 Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk) {
-  const Simulation<d> simulation = make_simulation<d>(scene);
+  const TlsphSimulation<d> simulation = make_tlsph<d>(scene);
   LinearOperator<d> op(simulation.solid, simulation.supports);
   const Spectrum spectrum = spectrum_of(op, options);
   Json result = spectrum_json(spectrum, scene, op.time_unit(), options.low_modes);

@@ -46,7 +46,7 @@ std::string_view name_of(Layout layout) {
 }
 
 template <int d>
-Statement body_of(const Scene& scene, const Simulation<d>& simulation) {
+Statement body_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
   const auto& solid = simulation.solid;
   const auto particles = static_cast<double>(solid.cloud.size());
   std::string text = fmt::format(
@@ -118,7 +118,7 @@ std::string in_words(const Boundary& boundary) {
 }
 
 template <int d>
-Statement held(const Scene& scene, const Simulation<d>& simulation) {
+Statement held(const Scene& scene, const TlsphSimulation<d>& simulation) {
   std::string text;
   for (const auto& boundary : scene.boundaries) {
     text += text.empty() ? "" : ", ";
@@ -173,7 +173,7 @@ std::string own_parameters(const MaterialChoice& material) {
 }  // namespace
 
 template <int d>
-std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simulation) {
+std::vector<Statement> account_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
   const Elastic elastic = scene.material.elastic();
   const double support = kernel_named<d>(scene.method.kernel).support;
   std::vector<Statement> all{body_of(scene, simulation)};
@@ -211,7 +211,7 @@ std::vector<Statement> account_of(const Scene& scene, const Simulation<d>& simul
 }
 
 template <int d>
-Statement step_reason(const Scene& scene, const Simulation<d>& simulation, double dt) {
+Statement step_reason(const Scene& scene, const TlsphSimulation<d>& simulation, double dt) {
   const StepControl& control = simulation.control;
   const double crossing = crossing_time(simulation.solid, simulation.state, control.wave_speed);
   if (control.fixed_step)
@@ -232,9 +232,9 @@ Statement step_reason(const Scene& scene, const Simulation<d>& simulation, doubl
       "THEORY (7.3)"};
 }
 
-template std::vector<Statement> account_of<2>(const Scene&, const Simulation<2>&);
-template std::vector<Statement> account_of<3>(const Scene&, const Simulation<3>&);
-template Statement step_reason<2>(const Scene&, const Simulation<2>&, double);
-template Statement step_reason<3>(const Scene&, const Simulation<3>&, double);
+template std::vector<Statement> account_of<2>(const Scene&, const TlsphSimulation<2>&);
+template std::vector<Statement> account_of<3>(const Scene&, const TlsphSimulation<3>&);
+template Statement step_reason<2>(const Scene&, const TlsphSimulation<2>&, double);
+template Statement step_reason<3>(const Scene&, const TlsphSimulation<3>&, double);
 
 }  // namespace plumb

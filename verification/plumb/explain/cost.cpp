@@ -9,7 +9,7 @@
 
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/scene_options.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {
@@ -57,7 +57,7 @@ double thread_seconds() {
 template <int d>
 struct Stepped {
   explicit Stepped(const Scene& scene)
-      : simulation(make_simulation<d>(scene)),
+      : simulation(make_tlsph<d>(scene)),
         dt(time_step(simulation.solid, simulation.state, simulation.control)),
         bytes(static_cast<double>(total_bytes(arrays_of(simulation))) /
               static_cast<double>(simulation.solid.cloud.size())) {
@@ -73,7 +73,7 @@ struct Stepped {
     return (thread_seconds() - start) / steps;
   }
 
-  Simulation<d> simulation;
+  TlsphSimulation<d> simulation;
   double dt, bytes;
 };
 

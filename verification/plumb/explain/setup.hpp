@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "plumb/run/interrupt.hpp"
-#include "plumb/run/support_work.hpp"
 
 namespace plumb {
 namespace {
@@ -17,12 +16,11 @@ double cpu_time() {
 }
 
 /// Share of the run that is done.
-template <int d>
-double fraction_done(const StepControl& control, const State<d>& state) {
+double fraction_done(const StepControl& control, const Moment& now) {
   double fraction = 0;
-  if (control.end_time) fraction = state.time / *control.end_time;
+  if (control.end_time) fraction = now.time / *control.end_time;
   if (control.max_steps)
-    fraction = std::max(fraction, static_cast<double>(state.step) / static_cast<double>(*control.max_steps));
+    fraction = std::max(fraction, static_cast<double>(now.step) / static_cast<double>(*control.max_steps));
   return fraction;
 }
 
@@ -55,51 +53,45 @@ double wall_time() {
 }
 
 template <int d>
-RunResult advance(const Scene& scene, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
+RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
                   Progress::Style style) {
   const InterruptGuard guard;
-  Progress progress(scene.name, style);
+  Progress progress(name, style);
   const Stopwatch watch(book.timing);
   const double start = wall_time();
-  const long first = simulation.state.step;
-  const double before = fraction_done(simulation.control, simulation.state);
-  SupportWork<d> support_work(simulation);
-  support_work.resume(book.support_work, book.support_power);
-  const auto account = [&](const State<d>& state) {
-    support_work.observe(state);
-    book.support_work = support_work.done();
-    book.support_power = support_work.power();
-  };
+  const long first = simulation.steps.now().step;
+  const double before = fraction_done(simulation.control, simulation.steps.now());
   const auto keep = [&] {
     watch.read();
     files.checkpoints->write(simulation, book, files.recorder.mark());
   };
-  const auto observe = [&](const Solid<d>& solid, const State<d>& state) {
-    account(state);
+  const auto observe = [&] {
+    const Moment now = simulation.steps.now();
     timed(book.timing.writing, [&] {
-      files.recorder.observe(solid, state);
-      if (files.budget) files.budget->observe(solid, state);
-      if (files.checkpoints && files.checkpoints->due(state.time)) keep();
+      files.recorder.observe(simulation);
+      if (files.checkpoints && files.checkpoints->due(now.time)) keep();
     });
-    progress.update(fraction_done(simulation.control, state),
-                    fmt::format("t = {:.4g} s, step {}, {:.3g} steps/s", state.time, state.step,
-                                static_cast<double>(state.step - first) / (wall_time() - start)),
+    progress.update(fraction_done(simulation.control, now),
+                    fmt::format("t = {:.4g} s, step {}, {:.3g} steps/s", now.time, now.step,
+                                static_cast<double>(now.step - first) / (wall_time() - start)),
                     before);
     return !interrupted();
   };
-  const RunResult result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
-                                  observe, book.history);
-  if (result.failure) account(simulation.state);  // the observer has not seen a step that broke a bound
+  const RunResult result = run<d>(simulation, observe, book.history);
   timed(book.timing.writing, [&] {
     // before the recorder's last row, which a run that goes on would not have
     if (files.checkpoints && !result.completed()) keep();
-    files.recorder.finish(simulation.solid, simulation.state);
+    files.recorder.finish(simulation);
   });
   watch.read();
   return result;
 }
 
-template RunResult advance<2>(const Scene&, Simulation<2>&, RunBook&, const RunFiles<2>&, Progress::Style);
-template RunResult advance<3>(const Scene&, Simulation<3>&, RunBook&, const RunFiles<3>&, Progress::Style);
+template RunResult advance<1>(const std::string&, Simulation<1>&, RunBook&, const RunFiles<1>&,
+                              Progress::Style);
+template RunResult advance<2>(const std::string&, Simulation<2>&, RunBook&, const RunFiles<2>&,
+                              Progress::Style);
+template RunResult advance<3>(const std::string&, Simulation<3>&, RunBook&, const RunFiles<3>&,
+                              Progress::Style);
 
 }  // namespace plumb

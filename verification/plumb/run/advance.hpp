@@ -1,8 +1,7 @@
 #pragma once
-#include "plumb/run/budget_file.hpp"
-#include "plumb/run/checkpoints.hpp"
-#include "plumb/run/recorder.hpp"
 #include "plumbline/output/progress.hpp"
+#include "plumbline/run/checkpoints.hpp"
+#include "plumbline/run/recorder.hpp"
 
 namespace plumb {
 
@@ -11,12 +10,11 @@ template <int d>
 struct RunFiles {
   Recorder<d>& recorder;
   Checkpoints<d>* checkpoints;
-  BudgetFile<d>* budget;
 };
 
 /// Runs the steps until the end or a signal, and keeps the book. What an early end leaves can be continued.
 template <int d>
-RunResult advance(const Scene& scene, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
+RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
                   Progress::Style style);
 
 /// Wall time of this machine's steady clock [s].

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
 
@@ -15,7 +15,7 @@ struct Parts {
   std::vector<std::string> built, left_out;
 };
 template <int d>
-Parts parts_of(const Scene& scene, const Simulation<d>& simulation);
+Parts parts_of(const Scene& scene, const TlsphSimulation<d>& simulation);
 
 /// What a projected table says of itself (CompatibleReport); null without one.
 nlohmann::ordered_json compatible_json(const CompatibleReport* report);

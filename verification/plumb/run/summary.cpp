@@ -4,13 +4,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "plumb/run/inventory.hpp"
 #include "plumb/run/likely_cause.hpp"
 #include "plumb/run/summary_parts.hpp"
 #include "plumbline/output/progress.hpp"
-#include "plumbline/run/traffic.hpp"
 
 namespace plumb {
 namespace {
@@ -33,14 +31,10 @@ template <int d>
 Json probes_json(const FinishedRun<d>& run) {
   Json probes = Json::object();
   for (const auto& probe : run.probes) {
-    const Index slot = run.simulation.solid.bonds.slots.of(probe.particle);
-    probes[probe.name] = {
-        {"position", list<d>(position_of(run.simulation.solid, run.simulation.state, probe.particle))},
-        {"displacement", list<d>(vector_at<d>(run.simulation.state.u, slot))},
-        {"velocity", list<d>(vector_at<d>(run.simulation.state.v, slot))},
-        {"particle", probe.particle},
-        {"reference", list<d>(run.simulation.solid.cloud.X[probe.particle])},
-        {"distance", probe.distance}};
+    const PointView<d> at = run.simulation.at(probe.particle);
+    probes[probe.name] = {{"position", list<d>(at.x)},  {"displacement", list<d>(at.u)},
+                          {"velocity", list<d>(at.v)},  {"particle", probe.particle},
+                          {"reference", list<d>(at.X)}, {"distance", probe.distance}};
   }
   return probes;
 }
@@ -67,13 +61,13 @@ Json energy_json(const FinishedRun<d>& run) {
           // A body at rest has no energy to compare with.
           {"relative_change", energy.initial > 0 ? Json(energy.total / energy.initial - 1) : Json()},
           {"terms", terms},
-          {"support_work", energy.support_work},
+          {"support_work", energy.support_work ? Json(*energy.support_work) : Json()},
           {"net_change", energy.net_change ? Json(*energy.net_change) : Json()}};
 }
 
 template <int d>
 Json momentum_json(const FinishedRun<d>& run) {
-  const Momentum now = momentum_of(run.simulation.solid, run.simulation.state);
+  const Momentum now = run.simulation.momentum();
   const Drifts drift = drifts_of(run);
   return {{"linear_momentum", std::vector<double>(now.linear.begin(), now.linear.begin() + d)},
           {"angular_momentum", now.angular},
@@ -85,20 +79,23 @@ Json momentum_json(const FinishedRun<d>& run) {
 
 template <int d>
 EnergyBudget energy_budget(const FinishedRun<d>& run) {
-  const auto& [solid, state] = std::tie(run.simulation.solid, run.simulation.state);
-  const Energy now = energy_of(solid, state);
-  const double initial = run.book.initial_energy.total(), work = run.book.support_work;
-  EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, work, {}};
-  for (const auto& term : solid.terms)
-    if (term.energy) budget.terms[term.name] += term.energy(solid, state);
+  const auto& simulation = run.simulation;
+  const SchemeEnergy now = simulation.energy();
+  const double initial = run.book.initial_energy;
+  EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, {}, {}};
+  for (const auto& more : now.more) budget.terms[more.name] += more.value;
+  if (!simulation.support_work) return budget;
+  const double work = simulation.support_work();
+  budget.support_work = work;
   const double scale = initial + std::abs(work);
-  if (scale > energy_round_off(solid) && !has_other_work(run.simulation)) budget.net_change = (now.total() - initial - work) / scale;
+  if (scale > simulation.energy_round_off() && !simulation.has_other_work)
+    budget.net_change = (now.total() - initial - work) / scale;
   return budget;
 }
 
 template <int d>
 Drifts drifts_of(const FinishedRun<d>& run) {
-  const Momentum now = momentum_of(run.simulation.solid, run.simulation.state);
+  const Momentum now = run.simulation.momentum();
   const Momentum& before = run.book.initial_momentum;
   return {drift(now.linear, before.linear, before.linear_scale, now.linear_scale),
           drift(now.angular, before.angular, before.angular_scale, now.angular_scale)};
@@ -111,45 +108,45 @@ const char* status_of(const RunResult& result) {
 
 template <int d>
 Json summary(const FinishedRun<d>& run) {
-  const auto& bonds = run.simulation.solid.bonds;
-  const Index particles = run.simulation.solid.cloud.size();
-  const Extent<d> extent = extent_of(run.simulation.solid, run.simulation.state);
-  const Work& work = run.simulation.solid.work;
+  const Counts counts = run.simulation.counts();
+  const Moment now = run.simulation.steps.now();
+  const auto particles = static_cast<double>(counts.particles);
+  const Extent<d> extent = extent_of(run.simulation.snapshot());
   const auto& dt = run.result.dt;
   Json json{{"scene", run.scene.name},
             {"dimension", d},
-            {"particles", particles},
+            {"scheme", run.simulation.scheme},
+            {"particles", counts.particles},
             {"neighbours",
-             {{"mean", static_cast<double>(bonds.pairs) / static_cast<double>(particles)},
-              {"max", bonds.most_neighbours}}},
+             {{"mean", static_cast<double>(counts.pairs) / particles}, {"max", counts.most_neighbours}}},
             {"status", status_of(run.result)},
-            {"steps", run.simulation.state.step},
-            {"time", run.simulation.state.time},
+            {"steps", now.step},
+            {"time", now.time},
             {"dt", {{"first", dt.first}, {"min", dt.least}, {"max", dt.most}, {"last", dt.last}}},
             {"energy", energy_json(run)}};
   json.update(momentum_json(run));
   json["extent"] = {{"min", list<d>(extent.lower)}, {"max", list<d>(extent.upper)}};
-  json["hourglass_share"] = hourglass_share(run.simulation.solid, run.simulation.state);
+  json["hourglass_share"] = run.simulation.hourglass_share ? Json(run.simulation.hourglass_share()) : Json();
   json["probes"] = probes_json(run);
   json["failure"] = failure_json(run.result.failure);
   if (run.result.failure)
-    json["failure"]["likely_cause"] = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
+    json["failure"]["likely_cause"] =
+        run.tlsph ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first) : "";
   json["timing"] = {{"setup_s", run.book.timing.setup},
                     {"wall_s", run.book.timing.wall},
                     {"cpu_s", run.book.timing.cpu},
                     {"computing_s", run.book.timing.computing()},
                     {"writing_s", run.book.timing.writing},
                     {"particle_evaluations_per_s",
-                     static_cast<double>(work.particle_evaluations) / run.book.timing.computing()}};
-  json["work"] = {{"particle_evaluations", work.particle_evaluations},
-                  {"pair_evaluations", work.pair_evaluations},
-                  {"bytes", std::llround(static_cast<double>(work.particle_evaluations) *
-                                         bytes_per_update(run.simulation.solid, run.simulation.stepper))}};
-  const auto bytes = static_cast<double>(total_bytes(arrays_of(run.simulation)));
-  json["memory"] = {{"bytes_per_particle", bytes / static_cast<double>(particles)},
-                    {"peak_rss", peak_resident_bytes()}};
-  if (run.simulation.compatible) json["compatible"] = compatible_json(run.simulation.compatible.get());
-  const Parts parts = parts_of(run.scene, run.simulation);
+                     static_cast<double>(counts.work.particle_evaluations) / run.book.timing.computing()}};
+  json["work"] = {{"particle_evaluations", counts.work.particle_evaluations},
+                  {"pair_evaluations", counts.work.pair_evaluations},
+                  {"bytes", std::llround(static_cast<double>(counts.work.particle_evaluations) *
+                                         counts.bytes_per_update)}};
+  const auto bytes = static_cast<double>(total_bytes(run.simulation.arrays()));
+  json["memory"] = {{"bytes_per_particle", bytes / particles}, {"peak_rss", peak_resident_bytes()}};
+  if (run.tlsph && run.tlsph->compatible) json["compatible"] = compatible_json(run.tlsph->compatible.get());
+  const Parts parts = run.tlsph ? parts_of(run.scene, *run.tlsph) : Parts{};
   json["built"] = parts.built;
   json["left_out"] = parts.left_out;
   return json;

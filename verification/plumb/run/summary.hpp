@@ -2,8 +2,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "plumb/run/checkpoints.hpp"
-#include "plumb/run/probe.hpp"
+#include "plumbline/run/checkpoints.hpp"
+#include "plumbline/run/probe.hpp"
 #include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
@@ -13,6 +13,7 @@ template <int d>
 struct FinishedRun {
   const Scene& scene;
   const Simulation<d>& simulation;  ///< with the last good state
+  const TlsphSimulation<d>* tlsph;  ///< the same of scheme "tlsph"; null for any other
   const RunResult& result;
   const std::vector<BoundProbe>& probes;
   const RunBook& book;

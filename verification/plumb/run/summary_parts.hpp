@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@ namespace plumb {
 struct EnergyBudget {
   double kinetic, strain, total, initial;
   std::map<std::string, double> terms;  ///< of the optional terms that have one, by name ("hourglass")
-  double support_work;                  ///< of supports that move
+  std::optional<double> support_work;   ///< of supports that move; empty: the scheme does not account for it
   /// (total - initial - support work) / (initial + |support work|): none for a body at rest, whose energy
   /// is round-off.
   std::optional<double> net_change;
@@ -37,23 +36,6 @@ const char* status_of(const RunResult& result);
 /// Whether nothing acts on the body from outside, so that its momenta are conserved.
 inline bool is_free(const Scene& scene) {
   return scene.boundaries.empty() && !scene.load && !scene.method.damping;
-}
-
-/// Whether loads, damping or supports that change their velocity do work, which the summary does not account for
-/// ([output] budget does).
-template <int d>
-bool has_other_work(const Simulation<d>& simulation) {
-  const auto& terms = simulation.solid.terms;
-  return simulation.actions.has_loads() ||
-         std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.name == "damping"; }) ||
-         std::any_of(simulation.actions.held.begin(), simulation.actions.held.end(),
-                     [](const auto& held) { return !held.steady; });
-}
-
-template <int d>
-bool moves_supports(const Simulation<d>& simulation) {
-  return std::any_of(simulation.supports.begin(), simulation.supports.end(),
-                     [](const auto& support) { return support.velocity != 0; });
 }
 
 }  // namespace plumb

@@ -32,8 +32,8 @@ std::string energy_text(const FinishedRun<d>& run) {
                                  energy.kinetic, energy.strain);
   for (const auto& [name, value] : energy.terms) text += fmt::format(" + {} {:.9g}", name, value);
   text += fmt::format("\n  at the start {:.9g} {}", energy.initial, unit);
-  const bool moved = moves_supports(run.simulation);
-  if (moved) text += fmt::format(", work of moving supports {:.9g} {}", energy.support_work, unit);
+  const bool moved = run.simulation.moves_supports && energy.support_work;
+  if (moved) text += fmt::format(", work of moving supports {:.9g} {}", *energy.support_work, unit);
   if (energy.net_change)
     text +=
         fmt::format(": a change of {:+.3g} %{}", 100 * *energy.net_change, moved ? " net of that work" : "");
@@ -42,12 +42,10 @@ std::string energy_text(const FinishedRun<d>& run) {
 
 template <int d>
 std::string probe_text(const FinishedRun<d>& run, const BoundProbe& probe) {
-  const Index slot = run.simulation.solid.bonds.slots.of(probe.particle);
-  const Vec<d>& X = run.simulation.solid.cloud.X[probe.particle];
-  const Vec<d> u = vector_at<d>(run.simulation.state.u, slot), v = vector_at<d>(run.simulation.state.v, slot);
+  const auto [X, u, x, v] = run.simulation.at(probe.particle);
   std::string text =
       fmt::format("  probe \"{}\": particle {} at {} m", probe.name, probe.particle, place_text(X.data(), d));
-  if (probe.distance > 1e-9 * run.simulation.solid.cloud.spacing)
+  if (probe.distance > 1e-9 * run.simulation.spacing)
     text += fmt::format(", {:.3g} m from {}", probe.distance, place_text(probe.at.data(), d));
   return text + fmt::format(": displacement {} m, velocity {} m/s\n", place_text(u.data(), d),
                             place_text(v.data(), d));
@@ -57,16 +55,17 @@ std::string probe_text(const FinishedRun<d>& run, const BoundProbe& probe) {
 
 template <int d>
 std::string summary_text(const FinishedRun<d>& run) {
-  const Extent<d> extent = extent_of(run.simulation.solid, run.simulation.state);
+  const Extent<d> extent = extent_of(run.simulation.snapshot());
   const Timing& timing = run.book.timing;
-  std::string text =
-      fmt::format("{}: {} at {:.6g} s, {} steps, {} particles\n  computing {}, writing {}, set-up {}\n",
-                  run.scene.name, status_of(run.result), run.simulation.state.time, run.simulation.state.step,
-                  run.simulation.solid.cloud.size(), duration_text(timing.computing()),
-                  duration_text(timing.writing), duration_text(timing.setup));
+  const Moment now = run.simulation.steps.now();
+  std::string text = fmt::format(
+      "{}: {} at {:.6g} s, {} steps, {} particles\n  computing {}, writing {}, set-up {}\n", run.scene.name,
+      status_of(run.result), now.time, now.step, run.simulation.counts().particles,
+      duration_text(timing.computing()), duration_text(timing.writing), duration_text(timing.setup));
   if (run.result.failure) {
     text += failure_text(*run.result.failure);
-    const std::string cause = likely_cause<d>(run.scene, run.simulation, run.result.dt.first);
+    const std::string cause =
+        run.tlsph ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first) : std::string();
     if (!cause.empty())
       text +=
           "  likely cause: " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 16, 2) + "\n";
@@ -81,7 +80,7 @@ std::string summary_text(const FinishedRun<d>& run) {
   for (int k = 0; k < d; ++k)
     text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
   for (const auto& probe : run.probes) text += probe_text(run, probe);
-  if (run.simulation.compatible) text += "  " + compatible_text(run.simulation.compatible.get());
+  if (run.tlsph && run.tlsph->compatible) text += "  " + compatible_text(run.tlsph->compatible.get());
   return text;
 }
 

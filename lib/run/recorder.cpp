@@ -1,11 +1,10 @@
-#include "plumb/run/recorder.hpp"
+#include "plumbline/run/recorder.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "plumb/run/frame.hpp"
-#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/run/frame.hpp"
 
 namespace plumb {
 namespace {
@@ -25,19 +24,15 @@ void add_values(std::vector<double>& row, const Vec<d>& v) {
 }  // namespace
 
 template <int d>
-Recorder<d>::Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid,
+Recorder<d>::Recorder(const Output& output, std::filesystem::path folder, const Simulation<d>& simulation,
                       const std::optional<RecorderMark>& from)
-    : output_(scene.output.value_or(Output{})),
-      material_(scene.material),
-      folder_(std::move(folder)),
-      probes_(bind_probes<d>(output_.probes, solid.cloud)) {
-  for (const auto& term : solid.terms)
-    if (term.energy) terms_.push_back(term.name);
+    : output_(output), folder_(std::move(folder)) {
+  if (!output_.probes.empty()) probes_ = bind_probes<d>(output_.probes, simulation.snapshot().X);
   if (output_.vtk || output_.series) std::filesystem::create_directories(folder_);
   const auto series = folder_ / "series.csv";
   if (output_.series)
-    series_ = from ? std::make_unique<CsvSeries>(series, columns(), from->series_bytes)
-                   : std::make_unique<CsvSeries>(series, columns());
+    series_ = from ? std::make_unique<CsvSeries>(series, columns(simulation), from->series_bytes)
+                   : std::make_unique<CsvSeries>(series, columns(simulation));
   if (output_.vtk) particles_.emplace(folder_, "particles");
   if (!from) return;
   if (particles_) particles_->resume(from->particle_times);
@@ -46,17 +41,17 @@ Recorder<d>::Recorder(const Scene& scene, std::filesystem::path folder, const So
 }
 
 template <int d>
-std::vector<std::string> Recorder<d>::columns() const {
+std::vector<std::string> Recorder<d>::columns(const Simulation<d>& simulation) const {
   const std::string per_thickness = d == 2 ? "/m" : "";
   std::vector<std::string> names{"step", "time [s]"};
   std::vector<std::string> energies{"kinetic", "strain"};
-  energies.insert(energies.end(), terms_.begin(), terms_.end());
+  energies.insert(energies.end(), simulation.energy_names.begin(), simulation.energy_names.end());
   energies.emplace_back("total");
   for (const auto& energy : energies) names.push_back(energy + " energy [J" + per_thickness + "]");
   add_columns<d>(names, "linear momentum", d == 2 ? "kg/s" : "kg m/s");
   const std::string unit = d == 2 ? " [kg m/s]" : " [kg m^2/s]";
   for (int k = d == 2 ? 2 : 0; k < 3; ++k) names.push_back(std::string("angular momentum ") + axes[k] + unit);
-  names.emplace_back("hourglass share");
+  if (simulation.hourglass_share) names.emplace_back("hourglass share");
   for (const auto& probe : probes_) {
     add_columns<d>(names, probe.name + " position", "m");
     add_columns<d>(names, probe.name + " displacement", "m");
@@ -66,46 +61,47 @@ std::vector<std::string> Recorder<d>::columns() const {
 }
 
 template <int d>
-void Recorder<d>::observe(const Solid<d>& solid, const State<d>& state) {
+void Recorder<d>::observe(const Simulation<d>& simulation) {
   if (!series_ && !particles_) return;
+  const double time = simulation.steps.now().time;
   const bool first = recorded_ < 0;
   // 1e-12: a step that ends on the multiple but for rounding counts
-  const bool due = output_.every && state.time >= static_cast<double>(next_) * *output_.every * (1 - 1e-12);
+  const bool due = output_.every && time >= static_cast<double>(next_) * *output_.every * (1 - 1e-12);
   if (!first && !due) return;
-  if (output_.every) next_ = static_cast<long>(std::floor(state.time / *output_.every * (1 + 1e-12))) + 1;
-  record(solid, state);
+  if (output_.every) next_ = static_cast<long>(std::floor(time / *output_.every * (1 + 1e-12))) + 1;
+  record(simulation);
 }
 
 template <int d>
-void Recorder<d>::finish(const Solid<d>& solid, const State<d>& state) {
-  if (state.step != recorded_) record(solid, state);
+void Recorder<d>::finish(const Simulation<d>& simulation) {
+  if (simulation.steps.now().step != recorded_) record(simulation);
   if (particles_) particles_->finish();
   if (series_) series_->flush();
 }
 
 template <int d>
-void Recorder<d>::record(const Solid<d>& solid, const State<d>& state) {
-  if (series_) record_series(solid, state);
-  if (particles_) Frame<d>(solid, state, material_).write(*particles_);
-  recorded_ = state.step;
+void Recorder<d>::record(const Simulation<d>& simulation) {
+  if (series_) record_series(simulation);
+  if (particles_) Frame<d>(simulation.snapshot()).write(*particles_);
+  recorded_ = simulation.steps.now().step;
 }
 
 template <int d>
-void Recorder<d>::record_series(const Solid<d>& solid, const State<d>& state) {
-  const Energy energy = energy_of(solid, state);
-  const Momentum momentum = momentum_of(solid, state);
-  std::vector<double> row{static_cast<double>(state.step), state.time, energy.kinetic, energy.strain};
-  for (const auto& term : solid.terms)
-    if (term.energy) row.push_back(term.energy(solid, state));
+void Recorder<d>::record_series(const Simulation<d>& simulation) {
+  const auto [time, step] = simulation.steps.now();
+  const SchemeEnergy energy = simulation.energy();
+  const Momentum momentum = simulation.momentum();
+  std::vector<double> row{static_cast<double>(step), time, energy.kinetic, energy.strain};
+  for (const auto& more : energy.more) row.push_back(more.value);
   row.push_back(energy.total());
   row.insert(row.end(), momentum.linear.begin(), momentum.linear.begin() + d);
   row.insert(row.end(), momentum.angular.begin() + (d == 2 ? 2 : 0), momentum.angular.end());
-  row.push_back(hourglass_share(solid, state));
+  if (simulation.hourglass_share) row.push_back(simulation.hourglass_share());
   for (const auto& probe : probes_) {
-    const Index slot = solid.bonds.slots.of(probe.particle);
-    add_values<d>(row, position_of(solid, state, probe.particle));
-    add_values<d>(row, vector_at<d>(state.u, slot));
-    add_values<d>(row, vector_at<d>(state.v, slot));
+    const PointView<d> at = simulation.at(probe.particle);
+    add_values<d>(row, at.x);
+    add_values<d>(row, at.u);
+    add_values<d>(row, at.v);
   }
   series_->append(row);
 }
@@ -127,6 +123,7 @@ std::vector<std::filesystem::path> Recorder<d>::files() const {
   return names;
 }
 
+template class Recorder<1>;
 template class Recorder<2>;
 template class Recorder<3>;
 

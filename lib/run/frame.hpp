@@ -3,18 +3,17 @@
 
 #include "plumbline/output/particles.hpp"
 #include "plumbline/output/table.hpp"
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/solid/solid.hpp"
+#include "plumbline/particles/snapshot.hpp"
 
 namespace plumb {
 
-/// What the particle files show of one state: positions, displacement, velocity, and from the deformation
-/// gradient J, the pressure -tr(sigma)/3 and the von Mises stress of the Cauchy stress sigma = P F^T / J. In
+/// What the particle files show of one state: positions, displacement, velocity, J = det F, the pressure
+/// -tr(sigma)/3 and the von Mises stress of the Cauchy stress sigma, and whatever else the scheme shows. In
 /// 2D sigma_33 counts, and under plane stress F_33.
 template <int d>
 class Frame {
  public:
-  Frame(const Solid<d>& solid, const State<d>& state, const MaterialChoice& material);
+  explicit Frame(const Snapshot<d>& shown);
 
   /// Writes it as the next file of the series.
   void write(ParticleSeries& series) const;
@@ -24,6 +23,7 @@ class Frame {
  private:
   double time_;
   std::vector<double> position_, displacement_, velocity_, determinant_, pressure_, von_mises_;
+  std::vector<NamedValues> more_;
 };
 
 }  // namespace plumb

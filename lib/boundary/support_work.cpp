@@ -1,4 +1,4 @@
-#include "plumb/run/support_work.hpp"
+#include "plumbline/boundary/support_work.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,11 +15,10 @@ struct Mover {
 };
 
 template <int d>
-std::vector<Mover> movers_of(const Simulation<d>& simulation) {
+std::vector<Mover> movers_of(const Solid<d>& solid, const std::vector<Support<d>>& supports) {
   std::vector<Mover> movers;
-  for (const auto& s : simulation.supports)
-    if (s.velocity != 0)
-      movers.push_back({simulation.solid.bonds.slots.of(s.particle), s.component, s.velocity});
+  for (const auto& s : supports)
+    if (s.velocity != 0) movers.push_back({solid.bonds.slots.of(s.particle), s.component, s.velocity});
   const auto before = [](const Mover& a, const Mover& b) { return a.place() < b.place(); };
   const auto same = [](const Mover& a, const Mover& b) { return a.place() == b.place(); };
   std::sort(movers.begin(), movers.end(), before);
@@ -50,24 +49,24 @@ struct SupportWork<d>::Account {
 };
 
 template <int d>
-SupportWork<d>::SupportWork(Simulation<d>& simulation) {
-  auto movers = movers_of(simulation);
-  auto& terms = simulation.solid.terms;
+SupportWork<d>::SupportWork(Solid<d>& solid, const std::vector<Support<d>>& held, const Stepper<d>& stepper) {
+  auto movers = movers_of(solid, held);
+  auto& terms = solid.terms;
   const auto supports =
       std::find_if(terms.begin(), terms.end(), [](const auto& t) { return t.name == "supports"; });
-  if (movers.empty() || supports == terms.end() || simulation.stepper.weights.empty()) return;
+  if (movers.empty() || supports == terms.end() || stepper.weights.empty()) return;
   account_ = std::make_shared<Account>();
   account_->movers = std::move(movers);
-  account_->weights = simulation.stepper.weights;
-  account_->sum.assign(simulation.solid.blocks(), 0.0);
+  account_->weights = stepper.weights;
+  account_->sum.assign(solid.blocks(), 0.0);
   account_->last = account_->sum;
   Term<d> term;
   term.name = "work of supports";
   term.first = [account = account_](const Solid<d>&, const Block& block, const State<d>&, double) {
     if (block.first_pack == 0) ++account->evaluation;  // read when the first phase is over, in all threads
   };
-  term.second = [account = account_](const Solid<d>& solid, const Block& block, const State<d>&, double,
-                                     BlockForce<d>& force) { account->add(solid, block, force); };
+  term.second = [account = account_](const Solid<d>& of, const Block& block, const State<d>&, double,
+                                     BlockForce<d>& force) { account->add(of, block, force); };
   terms.insert(supports, std::move(term));
 }
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/solid/solid.hpp"
+#include "plumbline/core/types.hpp"
+#include "plumbline/run/output_options.hpp"
 
 namespace plumb {
 
@@ -15,7 +15,8 @@ struct BoundProbe {
   std::vector<double> at;  ///< the reference point [m]
 };
 
+/// X: reference positions of all particles [m].
 template <int d>
-std::vector<BoundProbe> bind_probes(const std::vector<Probe>& probes, const Cloud<d>& cloud);
+std::vector<BoundProbe> bind_probes(const std::vector<Probe>& probes, const std::vector<Vec<d>>& X);
 
 }  // namespace plumb

@@ -3,7 +3,6 @@
 
 #include "plumbline/diagnostics/budget.hpp"
 #include "plumbline/output/series.hpp"
-#include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
 
@@ -12,8 +11,9 @@ namespace plumb {
 template <int d>
 class BudgetFile {
  public:
-  /// Adds the budget to the simulation and starts the file.
-  BudgetFile(const std::filesystem::path& file, Simulation<d>& simulation);
+  /// Adds the budget to the body and starts the file. `weights`: Stepper::weights.
+  BudgetFile(const std::filesystem::path& file, Solid<d>& solid, const State<d>& state,
+             const std::vector<double>& weights);
   /// For the run's observer.
   void observe(const Solid<d>& solid, const State<d>& state);
 

@@ -3,10 +3,11 @@
 #include <memory>
 #include <optional>
 
-#include "plumb/run/probe.hpp"
 #include "plumbline/output/particles.hpp"
 #include "plumbline/output/series.hpp"
 #include "plumbline/run/checkpoint.hpp"
+#include "plumbline/run/probe.hpp"
+#include "plumbline/run/simulation.hpp"
 
 namespace plumb {
 
@@ -19,13 +20,13 @@ class Recorder {
  public:
   /// Makes the folder if something is to be written. `from`: the files are those of an earlier run and are
   /// continued from there; else they are begun anew.
-  Recorder(const Scene& scene, std::filesystem::path folder, const Solid<d>& solid,
+  Recorder(const Output& output, std::filesystem::path folder, const Simulation<d>& simulation,
            const std::optional<RecorderMark>& from = {});
 
   /// Records the state if its time has come. For the run's observer.
-  void observe(const Solid<d>& solid, const State<d>& state);
+  void observe(const Simulation<d>& simulation);
   /// Records the last state of a run unless that has been done, and puts it on the disk.
-  void finish(const Solid<d>& solid, const State<d>& state);
+  void finish(const Simulation<d>& simulation);
 
   /// How far the files have come, flushed to the disk.
   RecorderMark mark();
@@ -34,15 +35,13 @@ class Recorder {
   std::vector<std::filesystem::path> files() const;
 
  private:
-  void record(const Solid<d>& solid, const State<d>& state);
-  void record_series(const Solid<d>& solid, const State<d>& state);
-  std::vector<std::string> columns() const;
+  void record(const Simulation<d>& simulation);
+  void record_series(const Simulation<d>& simulation);
+  std::vector<std::string> columns(const Simulation<d>& simulation) const;
 
   Output output_;
-  MaterialChoice material_;
   std::filesystem::path folder_;
   std::vector<BoundProbe> probes_;
-  std::vector<std::string> terms_;  ///< that have an energy
   std::unique_ptr<CsvSeries> series_;
   std::optional<ParticleSeries> particles_;
   long next_ = 0;       ///< number of the next multiple of `every`

@@ -1,7 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/boundary/supports.hpp"
+#include "plumbline/time/integrator.hpp"
 
 namespace plumb {
 
@@ -11,8 +12,9 @@ namespace plumb {
 template <int d>
 class SupportWork {
  public:
-  /// Reads the force that the supports of the simulation take off. Make it after the budget, if there is one.
-  explicit SupportWork(Simulation<d>& simulation);
+  /// Reads the force that these supports of the body take off, with the weights of the stepper. Make it after
+  /// the budget, if there is one.
+  SupportWork(Solid<d>& solid, const std::vector<Support<d>>& supports, const Stepper<d>& stepper);
 
   /// Goes on with the work of an earlier run.
   void resume(double done, double power);

@@ -1,4 +1,4 @@
-#include "plumb/run/budget_file.hpp"
+#include "plumbline/diagnostics/budget_file.hpp"
 
 namespace plumb {
 namespace {
@@ -21,9 +21,9 @@ std::vector<std::string> columns(const BudgetSums& sums) {
 }  // namespace
 
 template <int d>
-BudgetFile<d>::BudgetFile(const std::filesystem::path& file, Simulation<d>& simulation)
-    : budget_(simulation.solid, simulation.state, simulation.stepper.weights),
-      series_(file, columns<d>(budget_.total())) {}
+BudgetFile<d>::BudgetFile(const std::filesystem::path& file, Solid<d>& solid, const State<d>& state,
+                          const std::vector<double>& weights)
+    : budget_(solid, state, weights), series_(file, columns<d>(budget_.total())) {}
 
 template <int d>
 void BudgetFile<d>::observe(const Solid<d>& solid, const State<d>& state) {

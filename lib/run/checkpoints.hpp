@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "plumbline/run/checkpoint.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "plumbline/run/simulation.hpp"
 
 namespace plumb {
 
@@ -18,19 +18,18 @@ struct Timing {
 
 /// What belongs to a run from its very first step on, and is not in the simulation.
 struct RunBook {
-  Energy initial_energy;
+  double initial_energy = 0;  ///< total [J]
   Momentum initial_momentum;
   RunHistory history;
   Timing timing;
-  double support_work = 0, support_power = 0;  ///< SupportWork::done and power, so far
 };
 
 /// The book of a run that begins in this state.
 template <int d>
 RunBook begin_book(const Simulation<d>& simulation);
 
-/// Puts the simulation into the state of the checkpoint; the book of the run so far. InputError if the
-/// numbers of particles differ.
+/// Puts the simulation into the state of the checkpoint; the book of the run so far. InputError if it does
+/// not fit.
 template <int d>
 RunBook restore(const Checkpoint& checkpoint, Simulation<d>& simulation);
 

@@ -1,0 +1,143 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/run/simulation.hpp"
+
+/// Makes a Simulation of any scheme, once per run.
+namespace plumb {
+
+/// Looks at each field of a state that a restart needs.
+template <class State, class Use>
+void for_each_kept_field(State& state, Use&& use) {
+  state.fields([&](const FieldInfo& info, auto& field) {
+    if (info.role != Role::cache) use(info, field);
+  });
+}
+
+template <class State>
+std::vector<SavedField> saved_fields(State& state, Index particles) {
+  std::vector<SavedField> saved;
+  for_each_kept_field(state, [&](const FieldInfo& info, const Field& field) {
+    const int components = field.components();
+    SavedField out{std::string(info.name), components, std::vector<double>(particles * components)};
+    for (Index i = 0; i < particles; ++i)
+      for (int k = 0; k < components; ++k) out.values[i * components + k] = field[k][i];
+    saved.push_back(std::move(out));
+  });
+  return saved;
+}
+
+/// InputError if a field is missing or has another size.
+template <class State>
+void restore_fields(State& state, Index particles, const std::vector<SavedField>& saved) {
+  for_each_kept_field(state, [&](const FieldInfo& info, Field& field) {
+    const SavedField* from = field_named(saved, std::string(info.name));
+    const int components = field.components();
+    if (!from || from->values.size() != static_cast<std::size_t>(particles * components))
+      throw InputError(
+          fmt::format("the checkpoint does not fit: field \"{}\"", info.name),
+          from ? fmt::format("it has {} numbers, the scene {}", from->values.size(), particles * components)
+               : std::string("it is missing"),
+          "start the run anew, without --resume");
+    for (Index i = 0; i < particles; ++i)
+      for (int k = 0; k < components; ++k) field[k][i] = from->values[i * components + k];
+  });
+}
+
+/// The scheme and its state, which live as long as the functions of the simulation.
+template <class M>
+struct Moving {
+  M scheme;
+  typename M::State state;
+};
+
+/// Whether the energy has grown beyond the bound of the control.
+template <class M>
+std::optional<Failure> beyond_energy_bound(Moving<M>& moving, const StepControl& control,
+                                           const RunHistory& history) {
+  if (!control.energy_bound) return std::nullopt;
+  const double energy = moving.scheme.energy(moving.state).total();
+  // A body at rest has no energy: it is compared with what loads do to it nowhere.
+  if (energy <= (1 + *control.energy_bound) * history.initial_energy.value_or(energy)) return std::nullopt;
+  return Failure{moving.state.time, moving.state.step, Cause::energy_growth, -1, energy, "total energy"};
+}
+
+inline Failure failure_of(const Trouble& trouble, double time, long step) {
+  const Cause cause = trouble.quantity == "residual" ? Cause::no_convergence
+                      : std::isfinite(trouble.value) ? Cause::inverted
+                                                     : Cause::non_finite;
+  return {time, step, cause, trouble.particle, trouble.value, trouble.quantity};
+}
+
+template <class M, int d>
+Steps steps_of(const std::shared_ptr<Moving<M>>& moving, const StepControl& control) {
+  return {[moving] {
+            return Moment{moving->state.time, moving->state.step};
+          },
+          [moving](double time) { moving->state.time = time; },
+          [moving, fixed = control.fixed_step] {
+            return fixed ? *fixed : moving->scheme.step_limit(moving->state);
+          },
+          [moving](double dt) -> std::optional<Failure> {
+            const auto trouble = moving->scheme.advance(moving->state, dt);
+            if (!trouble) return std::nullopt;
+            return failure_of(*trouble, moving->state.time, moving->state.step);
+          },
+          [moving, control](const RunHistory& history) {
+            return beyond_energy_bound(*moving, control, history);
+          }};
+}
+
+/// The particle of that number in the snapshot.
+template <int d>
+PointView<d> view_of(const Snapshot<d>& shown, Index i) {
+  return {shown.X[i], shown.u[i], shown.x[i], shown.v[i]};
+}
+
+/// The step that the control allows is the scheme's own limit, unless the scene fixes it.
+template <int d, class M>
+requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<d>& initial,
+                                                  const StepControl& control) {
+  auto state = scheme.start(initial);
+  const auto moving = std::make_shared<Moving<M>>(Moving<M>{std::move(scheme), std::move(state)});
+  const auto particles = static_cast<Index>(moving->scheme.snapshot(moving->state).X.size());
+  Simulation<d> simulation;
+  simulation.scheme = std::string(M::name);
+  simulation.control = control;
+  for (const auto& energy : moving->scheme.energy(moving->state).more)
+    simulation.energy_names.push_back(energy.name);
+  simulation.steps = steps_of<M, d>(moving, control);
+  simulation.snapshot = [moving] { return moving->scheme.snapshot(moving->state); };
+  simulation.at = [moving](Index i) { return view_of(moving->scheme.snapshot(moving->state), i); };
+  simulation.energy = [moving] { return moving->scheme.energy(moving->state); };
+  simulation.momentum = [moving] { return momentum_of(moving->scheme.snapshot(moving->state)); };
+  simulation.counts = [moving, particles] {
+    if constexpr (requires { moving->scheme.counts(); })
+      return moving->scheme.counts();
+    else
+      return Counts{.particles = particles};
+  };
+  simulation.arrays = [moving, particles] {
+    std::vector<ArrayEntry> arrays;
+    moving->state.fields([&](const FieldInfo& info, const Field& field) {
+      arrays.push_back({std::string(info.name), field.bytes()});
+    });
+    return arrays;
+  };
+  simulation.save = [moving, particles, counts = simulation.counts] {
+    return SavedState{
+        {moving->state.time, moving->state.step}, counts().work, saved_fields(moving->state, particles)};
+  };
+  simulation.restore = [moving, particles](const SavedState& saved) {
+    restore_fields(moving->state, particles, saved.fields);
+    moving->state.time = saved.now.time;
+    moving->state.step = saved.now.step;
+  };
+  return simulation;
+}
+
+}  // namespace plumb

@@ -1,0 +1,80 @@
+#include "plumbline/run/checkpoints.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/output/file.hpp"
+
+namespace plumb {
+
+template <int d>
+RunBook begin_book(const Simulation<d>& simulation) {
+  RunBook book;
+  book.initial_energy = simulation.energy().total();
+  book.initial_momentum = simulation.momentum();
+  book.history.initial_energy = book.initial_energy;
+  return book;
+}
+
+template <int d>
+RunBook restore(const Checkpoint& c, Simulation<d>& simulation) {
+  simulation.restore(c.state);
+  RunBook book{c.initial_energy, c.initial_momentum, {c.dt, c.initial_energy}, {}};
+  book.timing = {.setup = 0, .wall = c.wall, .cpu = c.cpu, .writing = c.writing};
+  return book;
+}
+
+template <int d>
+Checkpoints<d>::Checkpoints(std::filesystem::path file, std::optional<double> interval, std::string program,
+                            std::map<std::string, std::string> scene)
+    : file_(std::move(file)), interval_(interval), program_(std::move(program)), scene_(std::move(scene)) {}
+
+template <int d>
+bool Checkpoints<d>::due(double time) {
+  if (!interval_) return false;
+  // 1e-12: a step that ends on the multiple but for rounding counts
+  const long reached = static_cast<long>(std::floor(time / *interval_ * (1 + 1e-12)));
+  const bool now = next_ >= 0 && reached >= next_;
+  next_ = reached + 1;
+  return now;
+}
+
+template <int d>
+void Checkpoints<d>::write(const Simulation<d>& simulation, const RunBook& book,
+                           const RecorderMark& recorder) {
+  const Checkpoint checkpoint{program_,
+                              scene_,
+                              d,
+                              simulation.save(),
+                              book.history.dt,
+                              book.initial_energy,
+                              book.initial_momentum,
+                              book.timing.wall,
+                              book.timing.cpu,
+                              book.timing.writing,
+                              recorder};
+  if (!is_finite(checkpoint)) return;
+  try {
+    write_checkpoint(file_, checkpoint);
+  } catch (const OutputError& error) {
+    const bool kept = std::filesystem::exists(file_);
+    throw OutputError(
+        fmt::format("{}; {}", error.what(),
+                    kept ? "the checkpoint before it is intact: make room and continue with --resume"
+                         : "there is no checkpoint yet"));
+  }
+}
+
+template RunBook begin_book<1>(const Simulation<1>&);
+template RunBook begin_book<2>(const Simulation<2>&);
+template RunBook begin_book<3>(const Simulation<3>&);
+template RunBook restore<1>(const Checkpoint&, Simulation<1>&);
+template RunBook restore<2>(const Checkpoint&, Simulation<2>&);
+template RunBook restore<3>(const Checkpoint&, Simulation<3>&);
+template class Checkpoints<1>;
+template class Checkpoints<2>;
+template class Checkpoints<3>;
+
+}  // namespace plumb

@@ -1,0 +1,70 @@
+#include "plumbline/run/frame.hpp"
+
+#include "plumbline/material/material.hpp"
+#include "plumbline/material/point.hpp"
+
+namespace plumb {
+namespace {
+
+template <int d>
+std::vector<double> numbers_of(const std::vector<Vec<d>>& vectors) {
+  std::vector<double> values;
+  values.reserve(vectors.size() * d);
+  for (const auto& v : vectors) values.insert(values.end(), v.data(), v.data() + d);
+  return values;
+}
+
+}  // namespace
+
+template <int d>
+Frame<d>::Frame(const Snapshot<d>& shown)
+    : time_(shown.time),
+      position_(numbers_of<d>(shown.x)),
+      displacement_(numbers_of<d>(shown.u)),
+      velocity_(numbers_of<d>(shown.v)),
+      more_(shown.more) {
+  for (const auto& F : shown.F) determinant_.push_back(determinant<3, double>(F));
+  for (const auto& cauchy : shown.cauchy) {
+    pressure_.push_back(-cauchy.trace() / 3);
+    von_mises_.push_back(von_mises(cauchy));
+  }
+}
+
+template <int d>
+void Frame<d>::write(ParticleSeries& series) const {
+  std::vector<PointField> fields{{"displacement [m]", d, displacement_}, {"velocity [m/s]", d, velocity_}};
+  if (!determinant_.empty()) fields.push_back({"J", 1, determinant_});
+  fields.push_back({"pressure [Pa]", 1, pressure_});
+  fields.push_back({"von Mises stress [Pa]", 1, von_mises_});
+  for (const auto& more : more_) fields.push_back({more.name + " [" + more.unit + "]", 1, more.values});
+  series.write({time_, d, position_, fields});
+}
+
+template <int d>
+Table Frame<d>::table() const {
+  Table table;
+  for (const char* quantity : {"position", "displacement", "velocity"})
+    for (int k = 0; k < d; ++k)
+      table.columns.push_back(std::string(quantity) + " " + "xyz"[k] +
+                              (quantity[0] == 'v' ? " [m/s]" : " [m]"));
+  if (!determinant_.empty()) table.columns.emplace_back("J");
+  table.columns.insert(table.columns.end(), {"pressure [Pa]", "von Mises stress [Pa]"});
+  for (const auto& more : more_) table.columns.push_back(more.name + " [" + more.unit + "]");
+  for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    std::vector<Cell> row;
+    for (const auto* vectors : {&position_, &displacement_, &velocity_})
+      row.insert(row.end(), vectors->begin() + static_cast<long>(i) * d,
+                 vectors->begin() + static_cast<long>(i + 1) * d);
+    if (!determinant_.empty()) row.emplace_back(determinant_[i]);
+    row.insert(row.end(), {pressure_[i], von_mises_[i]});
+    for (const auto& more : more_) row.emplace_back(more.values[i]);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+template class Frame<1>;
+template class Frame<2>;
+template class Frame<3>;
+
+}  // namespace plumb

@@ -1,0 +1,72 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/particles/snapshot.hpp"
+#include "plumbline/run/run.hpp"
+#include "plumbline/run/saved_state.hpp"
+#include "plumbline/schemes/scheme.hpp"
+
+namespace plumb {
+
+/// What one particle shows: for probes, without a snapshot of all.
+template <int d>
+struct PointView {
+  Vec<d> X, u, x;  ///< reference position, displacement, position [m]
+  Vec<d> v;        ///< velocity [m/s]
+};
+
+/// Numbers of a body that do not change in a run, and the work done so far.
+struct Counts {
+  Index particles = 0;
+  Index pairs = 0;            ///< ordered pairs of neighbours
+  Index most_neighbours = 0;  ///< of one particle
+  Work work;
+  double bytes_per_update = 0;  ///< THEORY (10.8); 0: not known
+};
+
+/// One array of a simulation, for `plumb explain` and memory figures.
+struct ArrayEntry {
+  std::string name;
+  std::size_t bytes;
+};
+
+/// A body that moves by some scheme, as everything outside of the scheme sees it. Its functions are called
+/// once a step or less often. What a scheme cannot say is an empty function.
+template <int d>
+struct Simulation {
+  std::string scheme;
+  StepControl control;
+  std::vector<std::string> warnings;
+  std::vector<std::string> energy_names;  ///< of the energies beside kinetic and strain energy
+  double spacing = 0;                     ///< of the particles [m]
+  Steps steps;
+  std::function<Snapshot<d>()> snapshot;
+  std::function<PointView<d>(Index particle)> at;
+  std::function<SchemeEnergy()> energy;
+  std::function<double()> energy_round_off;  ///< of the energy near the reference [J]; empty: none is known
+  std::function<Momentum()> momentum;
+  std::function<double()> hourglass_share;  ///< THEORY (8.4); empty: the scheme has none
+  std::function<double()> support_work;     ///< of supports that move, so far [J]; empty: not accounted for
+  bool moves_supports = false;              ///< at a steady velocity
+  bool has_other_work = false;              ///< by loads, damping or supports that change their velocity
+  std::function<Counts()> counts;
+  std::function<std::vector<ArrayEntry>()> arrays;
+  std::function<SavedState()> save;
+  std::function<void(const SavedState&)> restore;  ///< InputError if it does not fit
+  std::function<void()> begin;                     ///< once before the first step; empty: nothing to do
+  std::function<void(bool sound)> close_step;      ///< after each step, also one that broke a bound; likewise
+  /// Writes the conservation budget to this file from the beginning on. Empty: the scheme has none.
+  std::function<void(const std::filesystem::path&)> keep_budget;
+};
+
+/// Steps until the end, a failure, or until `observe` returns false. It is called at the start and after
+/// every step.
+template <int d>
+RunResult run(Simulation<d>& simulation, const std::function<bool()>& observe, RunHistory& history);
+
+}  // namespace plumb

@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plumbline/run/simulation.hpp"
+#include "plumbline/scene/scene.hpp"
+
+/// Schemes of the room `schemes` in the harness, by the name in [method].
+namespace plumb {
+
+/// What a scheme starts from: particles, what acts on them, and how they move at first.
+template <int d>
+struct SchemeStart {
+  Cloud<d> cloud;
+  Actions<d> actions;
+  InitialMotion<d> motion;
+};
+
+/// Says that the scheme of that name works on a body of its own (all but "tlsph" do).
+bool has_own_body(const std::string& scheme);
+
+/// Makes the scheme that the scene names; its options are in the scene. Throws InputError.
+template <int d>
+Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start);
+
+/// The same with everything from the scene.
+template <int d>
+Simulation<d> make_scheme_simulation(const Scene& scene);
+
+}  // namespace plumb

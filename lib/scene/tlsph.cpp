@@ -1,0 +1,189 @@
+#include "plumbline/scene/tlsph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumbline/boundary/apply_actions.hpp"
+#include "plumbline/compatible/clipped_surface.hpp"
+#include "plumbline/compatible/consistent_force.hpp"
+#include "plumbline/diagnostics/measures.hpp"
+#include "plumbline/geometry/clipped_cells.hpp"
+#include "plumbline/scene/actions_of_scene.hpp"
+#include "plumbline/scene/compatible_table.hpp"
+#include "plumbline/scene/initial_motion.hpp"
+#include "plumbline/scene/warnings.hpp"
+#include "plumbline/solid/make_solid.hpp"
+#include "plumbline/solid/part_site.hpp"
+
+namespace plumb {
+namespace {
+
+/// A step that rounding swallows would never end.
+void require_progress(double dt, const Scene& scene) {
+  if (!(dt > 0) || !std::isfinite(dt))
+    throw InputError(fmt::format("the time step would be {:g} s", dt),
+                     "sizes or stiffness are beyond the range of numbers",
+                     "check the units of body, material and method");
+  constexpr double most_steps = 1e15;  // below 2^53: every step still changes the time
+  if (scene.end_time && *scene.end_time / dt > most_steps)
+    throw InputError(fmt::format("{:.3g} steps to the end", *scene.end_time / dt),
+                     fmt::format("the time step is {:.3g} s, end_time {:.3g} s", dt, *scene.end_time),
+                     "use a larger cfl or time_step, or an earlier end");
+}
+
+template <int d>
+void set_initial_state(const Solid<d>& solid, const Scene& scene, State<d>& state) {
+  const InitialMotion<d> start = initial_motion<d>(scene, solid.cloud);
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Index slot = solid.bonds.slots.of(i);
+    if (!start.u.empty()) set_vector<d>(state.u, slot, start.u[i]);
+    if (!start.v.empty()) set_vector<d>(state.v, slot, start.v[i]);
+  }
+}
+
+/// Roller faces of a mirror layout.
+std::vector<Wall> walls_of(const Scene& scene) {
+  std::vector<Wall> walls;
+  if (scene.body.layout != Layout::mirror) return walls;
+  for (const auto& boundary : scene.boundaries)
+    if (boundary.kind == BoundaryKind::roller)
+      walls.push_back({boundary.face->axis, boundary.face->side > 0});
+  return walls;
+}
+
+/// The surface that the particles themselves suggest; their volumes become those of the cells that it cuts.
+template <int d>
+Surface<d> guess_surface(Cloud<d>& cloud) {
+  const Shape<d> shape = shape_around(cloud);
+  cloud.V = clipped_cells<d>(cloud.X, shape).volume;
+  return clipped_surface<d>(cloud, shape);
+}
+
+/// Of formulas in time, for a scene that ends by its number of steps [s].
+constexpr double default_time_scale = 1;
+
+/// Changes of an area vector beyond this [spacing^(d-1)] are larger than any area a particle has.
+constexpr double large_change = 3;
+
+template <int d>
+std::string large_change_text(double change) {
+  return fmt::format(
+      "area vectors of the compatible table change by up to {:.2g} spacings^{}: particles near the surface "
+      "have "
+      "too few neighbours, and stable steps are about as many times smaller than cfl says. Put particles on "
+      "the "
+      "surface (layout = \"node\") or use a larger beta",
+      change, d - 1);
+}
+
+}  // namespace
+
+template <int d>
+BondOptions<d> bond_options(const Scene& scene, double spacing) {
+  BondOptions<d> options;
+  options.kernel = kernel_named<d>(scene.method.kernel);
+  options.smoothing_length = scene.method.beta * spacing;
+  options.pair = pair_named(scene.method.pair);
+  const bool compatible = scene.method.gradient == "compatible";
+  options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
+  const bool variational = scene.method.momentum == "variational";
+  options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
+  options.walls = walls_of(scene);
+  for_each_part(scene.method, [&](const auto& part) {
+    if constexpr (requires { part->ask_for_weights(options); })
+      if (part) part->ask_for_weights(options);
+  });
+  return options;
+}
+
+template <int d>
+TlsphSimulation<d> make_tlsph(const Scene& scene) {
+  Cloud<d> cloud = make_cloud<d>(scene.body);
+  std::optional<Surface<d>> surface;
+  if (needs_surface<d>(scene, cloud) && scene.method.compatible.surface == "shape")
+    surface = surface_of<d>(scene.body, cloud);
+  return make_tlsph<d>(scene, std::move(cloud), surface);
+}
+
+template <int d>
+TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
+  BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
+  TlsphSimulation<d> simulation;
+  std::vector<std::string> warnings;
+  if (needs_surface<d>(scene, cloud) && !surface) {
+    surface = guess_surface(cloud);
+    warnings.push_back(
+        fmt::format("the surface is estimated from the particles, at about half a spacing beyond them: "
+                    "volume {:.6g} m^{}",
+                    surface->volume, d));
+  }
+  if (scene.method.gradient == "compatible")
+    simulation.compatible = make_it_compatible<d>(options, scene, cloud, surface);
+  if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
+  simulation.solid = make_solid<d>(std::move(cloud), scene.material.law(), scene.material.elastic(), options);
+  if (simulation.compatible && simulation.compatible->largest_change > large_change)
+    warnings.push_back(large_change_text<d>(simulation.compatible->largest_change));
+  simulation.state = make_state(simulation.solid);
+  simulation.control = step_control(scene);
+  const auto facets = [&] {
+    return surface ? surface->facets : surface_of<d>(scene.body, simulation.solid.cloud).facets;
+  };
+  const double time_scale = scene.end_time.value_or(default_time_scale);
+  simulation.actions = actions_of_scene<d>(simulation.solid.cloud, scene, facets, time_scale);
+  simulation.supports = supports_of(simulation.actions);
+  set_initial_state(simulation.solid, scene, simulation.state);
+  impose(simulation.solid, simulation.actions, simulation.state);
+  PartSite<d> site{simulation.solid, options.kernel, stability_limits(scene.method.integrator).real_axis};
+  for_each_part(scene.method, [&](const auto& part) {
+    if (part) part->add_to(site);
+  });
+  refuse_contradictions<d>(simulation.solid.cloud, simulation.actions, time_scale);
+  const double step = time_step(simulation.solid, simulation.state, simulation.control);
+  require_progress(step, scene);
+  simulation.warnings =
+      warnings_of<d>(scene, simulation.solid,
+                     {step, crossing_time(simulation.solid, simulation.state, simulation.control.wave_speed),
+                      stability_limits(scene.method.integrator).real_axis});
+  simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
+  apply_actions(simulation.solid, simulation.actions);
+  simulation.stepper =
+      with_prescribed_motion(stepper_named<d>(scene.method.integrator, simulation.solid), simulation.actions);
+  return simulation;
+}
+
+template <int d>
+std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation) {
+  const Solid<d>& solid = simulation.solid;
+  std::vector<ArrayEntry> arrays = {
+      {"reference positions and volumes",
+       solid.cloud.X.size() * sizeof(Vec<d>) + solid.cloud.V.size() * sizeof(double)},
+      {"volumes per slot", solid.volume.size() * sizeof(double)},
+      {"bond table", solid.bonds.bytes()},
+      {"bond table, in the order of the loops", solid.sweeps.bytes},
+      {"displacement", simulation.state.u.bytes()},
+      {"velocity", simulation.state.v.bytes()},
+      {"first Piola-Kirchhoff stress, a window", solid.P.bytes()},
+      {"integrator " + std::string(simulation.stepper.name), simulation.stepper.bytes}};
+  if (solid.F.components()) arrays.push_back({"deformation gradient", solid.F.bytes()});
+  if (solid.stored_force.components()) arrays.push_back({"force", solid.stored_force.bytes()});
+  for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
+  arrays.push_back(
+      {"prescribed velocities", simulation.supports.size() * (sizeof(Support<d>) + sizeof(HeldPlace<d>))});
+  if (follows_closest_pairs(simulation.control))
+    arrays.push_back({"closest pairs, for the time step", closest_pairs_bytes(solid)});
+  std::erase_if(arrays, [](const ArrayEntry& entry) { return entry.bytes == 0; });
+  return arrays;
+}
+
+template BondOptions<2> bond_options<2>(const Scene&, double);
+template BondOptions<3> bond_options<3>(const Scene&, double);
+template TlsphSimulation<2> make_tlsph<2>(const Scene&);
+template TlsphSimulation<3> make_tlsph<3>(const Scene&);
+template TlsphSimulation<2> make_tlsph<2>(const Scene&, Cloud<2>, std::optional<Surface<2>>);
+template TlsphSimulation<3> make_tlsph<3>(const Scene&, Cloud<3>, std::optional<Surface<3>>);
+template std::vector<ArrayEntry> arrays_of<2>(const TlsphSimulation<2>&);
+template std::vector<ArrayEntry> arrays_of<3>(const TlsphSimulation<3>&);
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plumbline/actions/actions.hpp"
+#include "plumbline/boundary/supports.hpp"
+#include "plumbline/compatible/compatible.hpp"
+#include "plumbline/dissipation/jst.hpp"
+#include "plumbline/run/simulation.hpp"
+#include "plumbline/scene/scene.hpp"
+
+namespace plumb {
+
+/// A total Lagrangian body made ready to run. What the scene does not name is not in it.
+template <int d>
+struct TlsphSimulation {
+  Solid<d> solid;
+  State<d> state;
+  Stepper<d> stepper;
+  StepControl control;
+  Actions<d> actions;                                  ///< what acts from outside
+  std::vector<Support<d>> supports;                    ///< the components that `actions` holds
+  std::vector<std::string> warnings;                   ///< for people: settings that work but may surprise
+  std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
+};
+
+/// The shape of [body] less its holes.
+template <int d>
+Shape<d> shape_of(const Body& body);
+
+/// The surface of [body] around its particles.
+template <int d>
+Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
+
+/// Particles of [body].
+template <int d>
+Cloud<d> make_cloud(const Body& body);
+
+/// Set-up choices of [method] and [jst] for a cloud.
+template <int d>
+BondOptions<d> bond_options(const Scene& scene, double spacing);
+
+/// Builds the whole scene. Throws InputError.
+template <int d>
+TlsphSimulation<d> make_tlsph(const Scene& scene);
+
+/// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface; if it is
+/// not given it is estimated from the particles (shape_around), with a warning.
+template <int d>
+TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud,
+                              std::optional<Surface<d>> surface = std::nullopt);
+
+template <int d>
+std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation);
+
+}  // namespace plumb
