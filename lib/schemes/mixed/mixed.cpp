@@ -1,0 +1,227 @@
+#include "plumbline/schemes/mixed/mixed.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "plumbline/schemes/blend.hpp"
+#include "plumbline/schemes/mixed/blocks.hpp"
+#include "plumbline/schemes/mixed/tensors.hpp"
+
+namespace plumb {
+
+template <int d>
+Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions)
+    : specimen_(std::move(specimen)), options_(std::move(options)) {
+  const Elastic elastic = in_dimension(d, specimen_.elastic, specimen_.law.plane);
+  law_ = block_law<d>(specimen_.law, specimen_.elastic, options_.evolves_HJ());
+  bonds_ = make_mixed_bonds<d>(specimen_.cloud, options_, elastic.density);
+  const Slots& all = bonds_.table.slots;
+  actions_ = AppliedActions<d>(actions, specimen_.cloud, all);
+  volume_.assign(static_cast<std::size_t>(all.count()), 0.0);
+  for (Index p = 0; p < cloud().size(); ++p) volume_[all.of(p)] = cloud().V[p];
+  shear_speed_ = elastic.shear_wave_speed();
+  pressure_speed_ = elastic.wave_speed();
+  F_ = make_field(d * d);
+  P_ = make_field(d * d);
+  G_ = make_field(d * d);
+  stretch_ = make_field(1);
+  before_ = make_state();
+  rate_ = make_state();
+}
+
+template <int d>
+MixedState<d> Mixed<d>::make_state() const {
+  State state;
+  state.v = make_field(d);
+  state.u = make_field(d);
+  if (options_.evolves_F()) state.F = make_field(d * d);
+  if (options_.evolves_HJ()) {
+    state.H = make_field(9);
+    state.J = make_field(1);
+  }
+  if (options_.upwind != "none") state.heat = make_field(1);
+  if (options_.option > 0) {
+    state.chi = make_field(d);
+    state.F_chi = make_field(d * d);
+  }
+  if (law_.history_components > 0) state.history = make_field(law_.history_components);
+  return state;
+}
+
+template <int d>
+MixedState<d> Mixed<d>::start(const InitialMotion<d>& motion) {
+  State state = make_state();
+  const Slots& all = bonds_.table.slots;
+  for (std::size_t p = 0; p < motion.u.size(); ++p) set_vector<d>(state.u, all.of(p), motion.u[p]);
+  for (std::size_t p = 0; p < motion.v.size(); ++p) set_vector<d>(state.v, all.of(p), motion.v[p]);
+  actions_.impose(0, state.u, state.v, true);
+  for (Index i = 0; i < slots() && options_.option > 0; ++i)
+    for (int a = 0; a < d; ++a) state.F_chi[a * (d + 1)][i] = 1;
+  if (law_.history_components > 0) start_history<d>(specimen_.law, state, slots());
+  if (!options_.evolves_F()) return state;
+  follow_reference(state);
+  gradients_of_positions(bonds_.table, state.u, state.F);
+  if (options_.evolves_HJ()) tie(state.F, state.H, state.J, slots(), d);
+  return state;
+}
+
+template <int d>
+void Mixed<d>::follow_reference(const State& state) {
+  if (options_.option == 0) return;
+  if (same_values(state.chi, seen_chi_, slots()) && same_values(state.F_chi, seen_F_, slots())) return;
+  update_reference<d>(bonds_, options_, volume_, state.chi, state.F_chi, specimen_.elastic.density);
+  seen_chi_ = state.chi;
+  seen_F_ = state.F_chi;
+}
+
+template <int d>
+const Field& Mixed<d>::gradients(const State& state) {
+  if (options_.evolves_F()) return state.F;
+  gradients_of_positions(bonds_.table, state.u, F_);
+  return F_;
+}
+
+template <int d>
+double Mixed<d>::step_limit(const State& state) {
+  follow_reference(state);
+  const Field& F = gradients(state);
+  return options_.cfl * crossing_time_of(bonds_.table, state.u, F, stretch_) / pressure_speed_;
+}
+
+template <int d>
+std::optional<Trouble> Mixed<d>::advance(State& state, double dt) {
+  follow_reference(state);
+  const double time = state.time;
+  auto trouble =
+      ssp_rk3_step(state, before_, rate_, slots(), dt,
+                   [&](const State& now, double t, State& rate) { return evaluate(now, t, rate); });
+  if (trouble) return trouble;
+  actions_.impose(state.time, state.u, state.v, false);
+  trouble = end_of_step(state);
+  if (trouble) {
+    copy_evolving(before_, state);
+    state.time = time;
+    --state.step;
+  }
+  return trouble;
+}
+
+/// What belongs to whole steps: history and reference.
+template <int d>
+std::optional<Trouble> Mixed<d>::end_of_step(State& state) {
+  const bool updates = options_.option > 0 && state.step % options_.update_every == 0;
+  if (!updates && !law_.commit) return std::nullopt;
+  const Field& F = gradients(state);
+  if (auto trouble = find_trouble(state, F)) return trouble;
+  if (law_.commit)
+    for_blocks(bonds_.table, [&](const Block& block) { law_.commit(state, F, block.begin(), block.end()); });
+  if (!updates) return std::nullopt;
+  if (options_.evolves_HJ()) tie(state.F, state.H, state.J, slots(), d);
+  state.chi = state.u;
+  state.F_chi = F;
+  return std::nullopt;
+}
+
+template <int d>
+std::optional<Trouble> Mixed<d>::find_trouble(const State& state, const Field& F) const {
+  for (Index p = 0; p < cloud().size(); ++p) {
+    const Index i = bonds_.table.slots.of(p);
+    Mat<d> at;
+    for (int n = 0; n < d * d; ++n) at(n / d, n % d) = F[n][i];
+    if (const double J = determinant<d, double>(at); !(J > 0)) return Trouble{p, "determinant of F", J};
+    if (options_.evolves_HJ() && !(state.J[0][i] > 0)) return Trouble{p, "J", state.J[0][i]};
+  }
+  return std::nullopt;
+}
+
+template <int d>
+Snapshot<d> Mixed<d>::snapshot(const State& state) {
+  follow_reference(state);
+  const Field& F = gradients(state);
+  Snapshot<d> shown;
+  shown.time = state.time;
+  shown.step = state.step;
+  shown.X = cloud().X;
+  const bool heat = state.heat.components() > 0;
+  if (heat) shown.more.push_back({"heat", "J/m^3", {}});
+  for (const HistoryValue& value : law_.history)
+    if (!value.tensor) shown.more.push_back({value.name, value.unit, {}});
+  for (Index p = 0; p < cloud().size(); ++p) {
+    const Index i = bonds_.table.slots.of(p);
+    const WholePoint point = law_.whole(state, F, i);
+    const double J = point.F.determinant();
+    shown.x.push_back(cloud().X[p] + vector_at<d>(state.u, i));
+    shown.v.push_back(vector_at<d>(state.v, i));
+    shown.mass.push_back(specimen_.elastic.density * cloud().V[p]);
+    shown.volume.push_back(J * cloud().V[p]);
+    shown.F.push_back(point.F);
+    shown.cauchy.push_back(point.P * point.F.transpose() / J);
+    std::size_t n = 0;
+    if (heat) shown.more[n++].values.push_back(state.heat[0][i]);
+    for (const HistoryValue& value : law_.history)
+      if (!value.tensor) shown.more[n++].values.push_back(state.history[value.first][i]);
+  }
+  return shown;
+}
+
+template <int d>
+SchemeEnergy Mixed<d>::energy(const State& state) {
+  follow_reference(state);
+  const Field& F = gradients(state);
+  SchemeEnergy energy;
+  std::vector<std::array<double, 3>> parts(static_cast<std::size_t>(block_count(bonds_.table)));
+  for_blocks(bonds_.table, [&](const Block& block) {
+    auto& [kinetic, strain, heat] = parts[static_cast<std::size_t>(block.begin() / block_slots)];
+    kinetic = strain = heat = 0;
+    for (Index i = block.begin(); i < block.end(); ++i) {
+      kinetic += volume_[i] * vector_at<d>(state.v, i).squaredNorm();
+      if (state.heat.components() > 0) heat += volume_[i] * state.heat[0][i];
+    }
+    strain = law_.energy(state, F, volume_.data(), block.begin(), block.end());
+  });
+  double heat = 0;
+  for (const auto& part : parts) {
+    energy.kinetic += 0.5 * specimen_.elastic.density * part[0];
+    energy.strain += part[1];
+    heat += part[2];
+  }
+  if (state.heat.components() > 0) energy.dissipated = heat;
+  return energy;
+}
+
+template <int d>
+std::vector<Statement> Mixed<d>::account() const {
+  std::vector<Statement> said;
+  said.push_back({"The scheme of paper 003: " + options_.in_words() + ".", "003 (53) to (57)"});
+  said.push_back({fmt::format("Each particle has at most {} neighbours; its constants serve F and the force.",
+                              bonds_.table.most_neighbours),
+                  "003 (41), (42)"});
+  if (options_.upwind != "none")
+    said.push_back({options_.upwind == "adjoint"
+                        ? "Pairs dissipate by the form R^T S R, which keeps both momenta."
+                        : "Pairs dissipate; angular momentum is not kept.",
+                    "003 (59), (60)"});
+  if (options_.option > 0)
+    said.push_back(
+        {fmt::format("The reference moves every {} steps.", options_.update_every), "003 (49) to (52)"});
+  for (const std::string& warning : options_.warnings()) said.push_back({"Note: " + warning + ".", ""});
+  return said;
+}
+
+template <int d>
+std::size_t Mixed<d>::bytes() const {
+  std::size_t sum =
+      bonds_.table.bytes() + F_.bytes() + G_.bytes() + P_.bytes() + stretch_.bytes() +
+      (bonds_.impedance.size() + bonds_.smoothing.size() + bonds_.reverse.size()) * sizeof(double);
+  State like = before_;
+  like.fields([&](const FieldInfo&, const Field& field) { sum += 3 * field.bytes(); });
+  return sum;
+}
+
+template class Mixed<1>;
+template class Mixed<2>;
+template class Mixed<3>;
+
+}  // namespace plumb

@@ -1,0 +1,80 @@
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "plumbline/schemes/apply.hpp"
+#include "plumbline/schemes/mixed/block_law.hpp"
+#include "plumbline/schemes/mixed/mixed_bonds.hpp"
+#include "plumbline/schemes/mixed/mixed_options.hpp"
+#include "plumbline/schemes/scheme.hpp"
+#include "plumbline/solid/state.hpp"
+
+namespace plumb {
+
+/// The scheme of paper 003 for the unknowns p, F, H and J: the adjoint force of corrected kernel sums,
+/// dissipation between pairs, three Runge-Kutta stages, and a reference that may be updated. THEORY, chapter
+/// 14. Its options make the variants of the paper and those that are better.
+template <int d>
+class Mixed {
+ public:
+  static constexpr std::string_view name = "mixed";
+  using Options = MixedOptions;
+  using State = MixedState<d>;
+
+  /// InputError where the neighbours of a particle do not span the space, or the law does not go with the
+  /// options.
+  Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions);
+
+  /// At rest in the reference where the motion has no entries.
+  State start(const InitialMotion<d>& motion);
+  /// alpha min |x_ab|/c_p,ab (62), (63) [s].
+  double step_limit(const State& state);
+  std::optional<Trouble> advance(State& state, double dt);
+  Snapshot<d> snapshot(const State& state);
+  SchemeEnergy energy(const State& state);
+  std::vector<Statement> account() const;
+
+  /// Fills the evolving fields of `rate` with the time derivatives of those of the state.
+  std::optional<Trouble> rates(const State& state, double time, State& rate);
+
+  const Cloud<d>& cloud() const { return specimen_.cloud; }
+  const MixedBonds<d>& bonds() const { return bonds_; }
+  std::size_t bytes() const;
+
+ private:
+  Index slots() const { return bonds_.table.slots.count(); }
+  Field make_field(int components) const { return {components, slots(), bonds_.table.margin}; }
+  State make_state() const;
+  /// F of every slot: that of the state, or found from its positions.
+  const Field& gradients(const State& state);
+  /// The first particle, in order, whose determinants are not positive or not numbers.
+  std::optional<Trouble> find_trouble(const State& state, const Field& F) const;
+  /// Makes the bonds those of the state's reference.
+  void follow_reference(const State& state);
+  std::optional<Trouble> evaluate(const State& state, double time, State& rate);
+  std::optional<Trouble> end_of_step(State& state);
+  /// F, velocity gradients and stretches of one block, and the rates of F, H and J; false if a determinant is
+  /// not positive.
+  template <int W>
+  bool kinematics_of_block(const State& state, const Block& block, State& rate);
+  template <int W>
+  void upwind_block(const State& state, const Field& F, const Block& block, State& rate);
+  template <int W>
+  void force_of_block(const State& state, const Block& block, State& rate) const;
+
+  Specimen<d> specimen_;
+  MixedOptions options_;
+  MixedBonds<d> bonds_;
+  AppliedActions<d> actions_;
+  BlockLaw<d> law_;
+  AlignedVector volume_;  ///< by slot [m^d]; 0 for empty slots
+  double pressure_speed_, shear_speed_;
+
+  // room for one evaluation, by slot
+  Field F_, G_, P_, stretch_;
+  State before_, rate_;
+  Field seen_chi_, seen_F_;  ///< the reference that the bonds are made for
+};
+
+}  // namespace plumb

@@ -1,0 +1,172 @@
+#include "plumbline/schemes/blend.hpp"
+#include "plumbline/schemes/mixed/blocks.hpp"
+#include "plumbline/schemes/mixed/mixed.hpp"
+#include "plumbline/schemes/mixed/smoothing.hpp"
+#include "plumbline/schemes/mixed/upwind_adjoint.hpp"
+#include "plumbline/schemes/mixed/upwind_constant.hpp"
+#include "plumbline/schemes/mixed/upwind_reconstructed.hpp"
+
+/// The right-hand side of (53) to (57) of paper 003, in three passes over the bonds: gradients, pairs, force.
+namespace plumb {
+namespace {
+
+/// Largest c_p/c_s that the adjoint upwinding follows; beyond, nearly incompressible bodies lose their energy
+/// to it (nu = 0.495 has 10: a column in tension loses 71 % of its energy).
+constexpr double most_speed_ratio = 5;
+
+/// F (unless it is null) and the velocity gradient of one pack, with one reading of the constants.
+template <int d, int W>
+void both_gradients(const BondTable<d>& t, const Field& u, const Field& v, Index pack, Mat<d, Pack<W>>& F,
+                    Mat<d, Pack<W>>& G) {
+  using Real = Pack<W>;
+  const Index i = pack * W;
+  const Vec<d, Real> own_u = load_vector<d, W>(u, i), own_v = load_vector<d, W>(v, i);
+  for (int n = 0; n < d * d; ++n) {
+    F(n / d, n % d) = Real::load(t.identity.data() + (t.row[pack] * Index{d * d} + n) * W);
+    G(n / d, n % d) = Real(0);
+  }
+  for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
+    const Vec<d, Real> c = bond_vector<d, W>(t.stencil, n);
+    for (int a = 0; a < d; ++a) {
+      const Real du = Real::load(u[a] + j) - own_u[a], dv = Real::load(v[a] + j) - own_v[a];
+      for (int b = 0; b < d; ++b) {
+        F(a, b) += du * c[b];
+        G(a, b) += dv * c[b];
+      }
+    }
+  });
+}
+
+/// The velocity gradient alone.
+template <int d, int W>
+Mat<d, Pack<W>> velocity_gradient(const BondTable<d>& t, const Field& v, Index pack) {
+  using Real = Pack<W>;
+  const Vec<d, Real> own = load_vector<d, W>(v, pack * W);
+  Mat<d, Real> G = zero_tensor<d, Real>();
+  for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
+    Vec<d, Real> dv;
+    for (int k = 0; k < d; ++k) dv[k] = Real::load(v[k] + j) - own[k];
+    add_outer<d, Real>(G, dv, bond_vector<d, W>(t.stencil, n));
+  });
+  return G;
+}
+
+}  // namespace
+
+template <int d>
+template <int W>
+bool Mixed<d>::kinematics_of_block(const State& state, const Block& block, State& rate) {
+  using Real = Pack<W>;
+  const bool spatial = options_.upwind == "adjoint", upwinds = options_.upwind != "none";
+  const bool moved = options_.upwind == "reconstructed" && options_.option > 0;
+  Real unsound(0);
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Index i = pack * W;
+    Mat<d, Real> F, G;
+    if (options_.evolves_F()) {
+      F = load_tensor<d, W>(state.F, i);
+      G = velocity_gradient<d, W>(bonds_.table, state.v, pack);
+      store_tensor<d, W>(G, rate.F, i);
+    } else {
+      if (upwinds)
+        both_gradients<d, W>(bonds_.table, state.u, state.v, pack, F, G);
+      else
+        F = gradient_of_positions<d, W>(bonds_.table, state.u, pack);
+      store_tensor<d, W>(F, F_, i);
+    }
+    unsound += not_positive(determinant<d, Real>(F));
+    if (options_.evolves_HJ()) {
+      const Mat<3, Real> whole = in_3d<d, Real>(F, Real(1)), change = in_3d<d, Real>(G, Real(0));
+      store_tensor<3, W>(tensor_cross<Real>(whole, change), rate.H, i);
+      double_dot<3, Real>(load_tensor<3, W>(state.H, i), change).store(rate.J[0] + i);
+      unsound += not_positive(Real::load(state.J[0] + i));
+    }
+    if (!upwinds) continue;
+    if (spatial || moved) {
+      const Mat<d, Real> back = inverse_transpose<d, Real>(spatial ? F : load_tensor<d, W>(state.F_chi, i));
+      G = times_transpose<d, Real>(G, back);
+    }
+    store_tensor<d, W>(G, G_, i);
+    least_stretch<d, Real>(F).store(stretch_[0] + i);
+  }
+  double count = 0;
+  for (int lane = 0; lane < W; ++lane) count += unsound[lane];
+  return count == 0;
+}
+
+template <int d>
+template <int W>
+void Mixed<d>::upwind_block(const State& state, const Field& F, const Block& block, State& rate) {
+  const bool adjoint = options_.upwind == "adjoint";
+  const double fastest = adjoint ? most_speed_ratio * shear_speed_ : pressure_speed_;
+  const UpwindSite<d> site{
+      bonds_, state.u, state.v, F, G_, stretch_, state.chi, std::min(pressure_speed_, fastest), shear_speed_};
+  if (adjoint)
+    upwind_sweep<d, W, AdjointJump<d, W>>(site, block, rate.v, rate.heat, P_);
+  else if (options_.upwind == "reconstructed")
+    upwind_sweep<d, W, ReconstructedJump<d, W>>(site, block, rate.v, rate.heat, P_);
+  else
+    upwind_sweep<d, W, ConstantJump<d, W>>(site, block, rate.v, rate.heat, P_);
+}
+
+/// Acceleration by stress and pairs, and the rate of the positions.
+template <int d>
+template <int W>
+void Mixed<d>::force_of_block(const State& state, const Block& block, State& rate) const {
+  using Real = Pack<W>;
+  const BondTable<d>& t = bonds_.table;
+  const AlignedVector& weights = t.force_weights();
+  const Real per_density(1 / specimen_.elastic.density);
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Index i = pack * W;
+    Vec<d, Real> f = options_.upwind == "none" ? zero_vector<d, Real>() : load_vector<d, W>(rate.v, i);
+    const auto add = [&](Index j, const Vec<d, Real>& a) {
+      for (int k = 0; k < d; ++k)
+        for (int b = 0; b < d; ++b) f[k] += Real::load(P_[k * d + b] + j) * a[b];
+    };
+    add(i, bond_vector<d, W>(t.own_force, t.row[pack]));
+    for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) { add(j, bond_vector<d, W>(weights, n)); });
+    for (int k = 0; k < d; ++k) (f[k] * per_density).store(rate.v[k] + i);
+    store_vector<d, W>(options_.smooth_positions ? smoothed_velocity<d, W>(bonds_, state.v, pack)
+                                                 : load_vector<d, W>(state.v, i),
+                       rate.u, i);
+  }
+}
+
+template <int d>
+std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State& rate) {
+  const BondTable<d>& t = bonds_.table;
+  const Field& F = options_.evolves_F() ? state.F : F_;
+  std::vector<char> sound(static_cast<std::size_t>(block_count(t)));
+  with_width(t, [&]<int W>() {
+    for_blocks(t, [&](const Block& block) {
+      char& good = sound[static_cast<std::size_t>(block.begin() / block_slots)];
+      good = kinematics_of_block<W>(state, block, rate);
+      if (good) law_.stress(state, F, block.begin(), block.end(), P_);
+    });
+  });
+  if (std::find(sound.begin(), sound.end(), 0) != sound.end()) return find_trouble(state, F);
+  with_width(t, [&]<int W>() {
+    if (options_.upwind != "none")
+      for_blocks(t, [&](const Block& block) { upwind_block<W>(state, F, block, rate); });
+    for_blocks(t, [&](const Block& block) { force_of_block<W>(state, block, rate); });
+  });
+  actions_.add_loads(time, &F, 1 / specimen_.elastic.density, rate.v);
+  actions_.hold(time, state.v, rate.v, rate.u);
+  return std::nullopt;
+}
+
+template <int d>
+std::optional<Trouble> Mixed<d>::rates(const State& state, double time, State& rate) {
+  follow_reference(state);
+  return evaluate(state, time, rate);
+}
+
+template std::optional<Trouble> Mixed<1>::evaluate(const MixedState<1>&, double, MixedState<1>&);
+template std::optional<Trouble> Mixed<2>::evaluate(const MixedState<2>&, double, MixedState<2>&);
+template std::optional<Trouble> Mixed<3>::evaluate(const MixedState<3>&, double, MixedState<3>&);
+template std::optional<Trouble> Mixed<1>::rates(const MixedState<1>&, double, MixedState<1>&);
+template std::optional<Trouble> Mixed<2>::rates(const MixedState<2>&, double, MixedState<2>&);
+template std::optional<Trouble> Mixed<3>::rates(const MixedState<3>&, double, MixedState<3>&);
+
+}  // namespace plumb
