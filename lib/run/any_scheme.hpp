@@ -19,13 +19,14 @@ void for_each_kept_field(State& state, Use&& use) {
 }
 
 template <class State>
-std::vector<SavedField> saved_fields(State& state, Index particles) {
+std::vector<SavedField> saved_fields(State& state, const std::vector<Index>& places) {
+  const auto particles = static_cast<Index>(places.size());
   std::vector<SavedField> saved;
   for_each_kept_field(state, [&](const FieldInfo& info, const Field& field) {
     const int components = field.components();
     SavedField out{std::string(info.name), components, std::vector<double>(particles * components)};
     for (Index i = 0; i < particles; ++i)
-      for (int k = 0; k < components; ++k) out.values[i * components + k] = field[k][i];
+      for (int k = 0; k < components; ++k) out.values[i * components + k] = field[k][places[i]];
     saved.push_back(std::move(out));
   });
   return saved;
@@ -33,7 +34,8 @@ std::vector<SavedField> saved_fields(State& state, Index particles) {
 
 /// InputError if a field is missing or has another size.
 template <class State>
-void restore_fields(State& state, Index particles, const std::vector<SavedField>& saved) {
+void restore_fields(State& state, const std::vector<Index>& places, const std::vector<SavedField>& saved) {
+  const auto particles = static_cast<Index>(places.size());
   for_each_kept_field(state, [&](const FieldInfo& info, Field& field) {
     const SavedField* from = field_named(saved, std::string(info.name));
     const int components = field.components();
@@ -44,7 +46,7 @@ void restore_fields(State& state, Index particles, const std::vector<SavedField>
                : std::string("it is missing"),
           "start the run anew, without --resume");
     for (Index i = 0; i < particles; ++i)
-      for (int k = 0; k < components; ++k) field[k][i] = from->values[i * components + k];
+      for (int k = 0; k < components; ++k) field[k][places[i]] = from->values[i * components + k];
   });
 }
 
@@ -53,7 +55,37 @@ template <class M>
 struct Moving {
   M scheme;
   typename M::State state;
+  std::vector<Index> places;  ///< of the particles in the fields of the state
 };
+
+/// Where each particle stands in the fields of a state.
+template <class M>
+std::vector<Index> places_of(const M& scheme, std::size_t particles) {
+  std::vector<Index> places(particles);
+  for (std::size_t i = 0; i < particles; ++i)
+    if constexpr (requires { scheme.layout(); })
+      places[i] = scheme.layout().of(static_cast<Index>(i));
+    else
+      places[i] = static_cast<Index>(i);
+  return places;
+}
+
+/// What there is to count, as far as the scheme tells.
+template <class M>
+Counts counts_of(const Moving<M>& moving) {
+  Counts counts;
+  counts.particles = static_cast<Index>(moving.places.size());
+  if constexpr (requires { moving.scheme.neighbours(); }) {
+    const NeighbourCounts neighbours = moving.scheme.neighbours();
+    counts.pairs = neighbours.pairs;
+    counts.most_neighbours = neighbours.most;
+  }
+  if constexpr (requires { M::evaluations_per_step; }) {
+    const std::int64_t evaluations = M::evaluations_per_step * static_cast<std::int64_t>(moving.state.step);
+    counts.work = {evaluations * counts.particles, evaluations * counts.pairs};
+  }
+  return counts;
+}
 
 /// Whether the energy has grown beyond the bound of the control.
 template <class M>
@@ -103,8 +135,8 @@ template <int d, class M>
 requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<d>& initial,
                                                   const StepControl& control) {
   auto state = scheme.start(initial);
-  const auto moving = std::make_shared<Moving<M>>(Moving<M>{std::move(scheme), std::move(state)});
-  const auto particles = static_cast<Index>(moving->scheme.snapshot(moving->state).X.size());
+  const auto moving = std::make_shared<Moving<M>>(Moving<M>{std::move(scheme), std::move(state), {}});
+  moving->places = places_of(moving->scheme, moving->scheme.snapshot(moving->state).X.size());
   Simulation<d> simulation;
   simulation.scheme = std::string(M::name);
   simulation.control = control;
@@ -115,25 +147,25 @@ requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<
   simulation.at = [moving](Index i) { return view_of(moving->scheme.snapshot(moving->state), i); };
   simulation.energy = [moving] { return moving->scheme.energy(moving->state); };
   simulation.momentum = [moving] { return momentum_of(moving->scheme.snapshot(moving->state)); };
-  simulation.counts = [moving, particles] {
-    if constexpr (requires { moving->scheme.counts(); })
-      return moving->scheme.counts();
-    else
-      return Counts{.particles = particles};
-  };
-  simulation.arrays = [moving, particles] {
+  if constexpr (requires { M::evaluations_per_step; })
+    simulation.evaluations_per_step = M::evaluations_per_step;
+  if constexpr (requires { moving->scheme.warnings(); }) simulation.warnings = moving->scheme.warnings();
+  simulation.account = [moving] { return moving->scheme.account(); };
+  simulation.counts = [moving] { return counts_of(*moving); };
+  simulation.arrays = [moving] {
     std::vector<ArrayEntry> arrays;
     moving->state.fields([&](const FieldInfo& info, const Field& field) {
       arrays.push_back({std::string(info.name), field.bytes()});
     });
     return arrays;
   };
-  simulation.save = [moving, particles, counts = simulation.counts] {
-    return SavedState{
-        {moving->state.time, moving->state.step}, counts().work, saved_fields(moving->state, particles)};
+  simulation.save = [moving] {
+    return SavedState{{moving->state.time, moving->state.step},
+                      counts_of(*moving).work,
+                      saved_fields(moving->state, moving->places)};
   };
-  simulation.restore = [moving, particles](const SavedState& saved) {
-    restore_fields(moving->state, particles, saved.fields);
+  simulation.restore = [moving](const SavedState& saved) {
+    restore_fields(moving->state, moving->places, saved.fields);
     moving->state.time = saved.now.time;
     moving->state.step = saved.now.step;
   };

@@ -44,6 +44,7 @@ struct Simulation {
   std::vector<std::string> warnings;
   std::vector<std::string> energy_names;  ///< of the energies beside kinetic and strain energy
   double spacing = 0;                     ///< of the particles [m]
+  int evaluations_per_step = 1;
   Steps steps;
   std::function<Snapshot<d>()> snapshot;
   std::function<PointView<d>(Index particle)> at;
@@ -54,6 +55,7 @@ struct Simulation {
   std::function<double()> support_work;     ///< of supports that move, so far [J]; empty: not accounted for
   bool moves_supports = false;              ///< at a steady velocity
   bool has_other_work = false;              ///< by loads, damping or supports that change their velocity
+  std::function<std::vector<Statement>()> account;  ///< what it solves; empty: `plumb explain` knows itself
   std::function<Counts()> counts;
   std::function<std::vector<ArrayEntry>()> arrays;
   std::function<SavedState()> save;

@@ -55,6 +55,10 @@ std::vector<std::string> momentum_names() {
 std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});
 }
+std::vector<std::string> scheme_names() {
+  return {"tlsph", "implicit", "mixed"};
+}
+
 std::vector<std::string> wave_speed_names() {
   return {"linear", "stretch", "stretch-inverse"};
 }
@@ -112,6 +116,7 @@ std::vector<SceneChoice> scene_choices() {
           {"method.gradient", "gradient", gradient_names()},
           {"method.momentum", "momentum", momentum_names()},
           {"method.integrator", "integrator", integrator_names()},
+          {"method.scheme", "scheme", scheme_names()},
           {"method.wave_speed", "wave speed", wave_speed_names()},
           {"compatible.table", "compatible table", compatible_table_names()},
           {"compatible.start", "compatible start", start_table_names()},

@@ -33,8 +33,15 @@ Compatible read_compatible(const Section& root, const Method& method) {
   return compatible;
 }
 
-/// The scheme of paper 000. Its [jst] is in read_method().
+/// The scheme of that paper as it is printed. The [jst] of paper 000 is in read_method().
 void set_paper(Method& method) {
+  if (method.paper == "003") {
+    method.scheme = "mixed";
+    method.mixed.volumes = "tributary";
+    method.mixed.kinematics = "evolved";
+    method.mixed.upwind = "reconstructed";
+    return;
+  }
   method.pair = "W1";
   method.gradient = "improved";
   method.momentum = "symmetrised";
@@ -47,14 +54,45 @@ double default_beta(const Method& method, const Body& body) {
   return method.gradient == "compatible" && !fills_box ? 1.2 : method.beta;
 }
 
+/// The scheme "mixed" has a kernel, a table and stages of its own.
+void refuse_keys_of_tlsph(const Section& section) {
+  for (const char* key : {"kernel", "beta", "pair", "gradient", "momentum", "integrator", "wave_speed"})
+    if (section.has(key))
+      section.fail(key, "contradicts scheme = \"mixed\"",
+                   "that scheme has its own, which section [mixed] chooses",
+                   "leave it out, or use scheme = \"tlsph\"");
+}
+
+/// The section of the scheme, and no section of another one.
+void read_scheme(const Section& root, Method& method) {
+  for (const char* name : {"mixed", "implicit"})
+    if (root.has(name) && method.scheme != name)
+      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                              fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
+  if (const auto section = root.optional_section("mixed")) {
+    method.mixed = MixedOptions::read(*section, method.mixed);
+    section->reject_unknown();
+  }
+  if (const auto section = root.optional_section("implicit"))
+    method.implicit = ImplicitOptions::read(*section);
+  if (method.cfl) method.mixed.cfl = *method.cfl;
+  if (method.scheme != "mixed") return;
+  for (const char* name : {"jst", "hourglass", "projection", "compatible", "damping"})
+    if (root.has(name))
+      root.section(name).fail("", "contradicts scheme = \"mixed\"", "it is a part of scheme = \"tlsph\"",
+                              "leave one of them out");
+}
+
 Method read_method_section(const Section& root, const Body& body) {
   Method method;
   const auto section = root.optional_section("method");
   if (!section) return method;
   if (section->has("paper")) {
-    method.paper = section->choice_or("paper", "000", {"000"});
+    method.paper = section->choice_or("paper", "000", {"000", "003"});
     set_paper(method);
   }
+  method.scheme = section->choice_or("scheme", method.scheme, scheme_names());
+  if (method.scheme == "mixed") refuse_keys_of_tlsph(*section);
   method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
   method.pair = section->choice_or("pair", method.pair, pair_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
@@ -82,7 +120,7 @@ Method read_method_section(const Section& root, const Body& body) {
 }  // namespace
 
 std::vector<std::string> method_sections() {
-  std::vector<std::string> names{"method", "compatible"};
+  std::vector<std::string> names{"method", "compatible", "mixed", "implicit"};
   Method method;
   for_each_part(method, [&]<class Part>(std::optional<Part>&) { names.emplace_back(Part::section); });
   return names;
@@ -90,12 +128,13 @@ std::vector<std::string> method_sections() {
 
 Method read_method(const Section& root, const Body& body) {
   Method method = read_method_section(root, body);
+  read_scheme(root, method);
   method.compatible = read_compatible(root, method);
   for_each_part(method, [&]<class Part>(std::optional<Part>& part) {
     const auto section = root.optional_section(std::string(Part::section));
     if (!section) {
       if constexpr (std::is_same_v<Part, JstOptions>)
-        if (!method.paper.empty()) part = JstOptions{};  // paper 000 has one
+        if (method.paper == "000") part = JstOptions{};  // paper 000 has one
       return;
     }
     part = Part::read(*section);

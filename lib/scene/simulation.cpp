@@ -1,9 +1,12 @@
 #include "plumbline/scene/simulation.hpp"
 
+#include "plumbline/scene/scheme_simulation.hpp"
+
 namespace plumb {
 
 template <int d>
 BuiltScene<d> make_simulation(const Scene& scene) {
+  if (has_own_body(scene.method.scheme)) return {make_scheme_simulation<d>(scene), nullptr};
   const auto body = std::make_shared<TlsphSimulation<d>>(make_tlsph<d>(scene));
   return {as_simulation<d>(body, scene.material), body};
 }

@@ -13,6 +13,7 @@
 #include "plumbline/scene/actions_of_scene.hpp"
 #include "plumbline/scene/compatible_table.hpp"
 #include "plumbline/scene/initial_motion.hpp"
+#include "plumbline/scene/scheme_simulation.hpp"
 #include "plumbline/scene/warnings.hpp"
 #include "plumbline/solid/make_solid.hpp"
 #include "plumbline/solid/part_site.hpp"
@@ -98,6 +99,18 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   return options;
 }
 
+namespace {
+
+/// Commands that look into the body know that of total Lagrangian schemes only.
+void refuse_own_body(const Scene& scene) {
+  if (has_own_body(scene.method.scheme))
+    throw InputError(fmt::format("scheme = \"{}\" does not go with this command", scene.method.scheme),
+                     "it looks into the bonds and terms of scheme = \"tlsph\"",
+                     "use plumb run, plumb explain or plumb mms, or another scheme");
+}
+
+}  // namespace
+
 template <int d>
 TlsphSimulation<d> make_tlsph(const Scene& scene) {
   Cloud<d> cloud = make_cloud<d>(scene.body);
@@ -109,6 +122,7 @@ TlsphSimulation<d> make_tlsph(const Scene& scene) {
 
 template <int d>
 TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
+  refuse_own_body(scene);
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   TlsphSimulation<d> simulation;
   std::vector<std::string> warnings;

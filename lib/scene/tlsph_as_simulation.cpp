@@ -167,6 +167,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, con
   for (const auto& term : solid.terms)
     if (term.energy) simulation.energy_names.push_back(term.name);
   simulation.spacing = solid.cloud.spacing;
+  simulation.evaluations_per_step = body->stepper.evaluations_per_step;
   simulation.steps = steps_of(body->solid, body->state, body->stepper, body->control, followed->closest);
   simulation.snapshot = [body, material] { return snapshot_of(body->solid, body->state, material); };
   simulation.at = [body](Index i) {

@@ -53,6 +53,12 @@ struct SchemeEnergy {
   }
 };
 
+/// How many neighbours the particles of a scheme have now.
+struct NeighbourCounts {
+  Index pairs = 0;  ///< ordered pairs
+  Index most = 0;   ///< of one particle
+};
+
 /// One line of what a scene solves: "force", "adjoint: minus the derivative ..", "THEORY (5.1), (5.3)".
 struct Statement {
   std::string topic, text, theory;
@@ -67,7 +73,11 @@ concept SchemeState = requires(S& state) {
 };
 
 /// A scheme for bodies in d dimensions. A scheme is one folder. `advance` makes one step of dt and leaves the
-/// state as it was if there is trouble.
+/// state as it was if there is trouble. A scheme may also have, and then the harness uses them:
+///   const Slots& layout() const;            where a particle stands in its fields; without it: at its number
+///   NeighbourCounts neighbours() const;
+///   static constexpr int evaluations_per_step;
+///   std::vector<std::string> warnings() const;
 template <class M, int d>
 concept Scheme = SchemeState<typename M::State> && requires(M& m, typename M::State& state, double dt) {
   { M::name } -> std::convertible_to<std::string_view>;

@@ -152,7 +152,8 @@ Snapshot<d> Mixed<d>::snapshot(const State& state) {
     const Index i = bonds_.table.slots.of(p);
     const WholePoint point = law_.whole(state, F, i);
     const double J = point.F.determinant();
-    shown.x.push_back(cloud().X[p] + vector_at<d>(state.u, i));
+    shown.u.push_back(vector_at<d>(state.u, i));
+    shown.x.push_back(cloud().X[p] + shown.u.back());
     shown.v.push_back(vector_at<d>(state.v, i));
     shown.mass.push_back(specimen_.elastic.density * cloud().V[p]);
     shown.volume.push_back(J * cloud().V[p]);
@@ -194,19 +195,20 @@ SchemeEnergy Mixed<d>::energy(const State& state) {
 template <int d>
 std::vector<Statement> Mixed<d>::account() const {
   std::vector<Statement> said;
-  said.push_back({"The scheme of paper 003: " + options_.in_words() + ".", "003 (53) to (57)"});
-  said.push_back({fmt::format("Each particle has at most {} neighbours; its constants serve F and the force.",
+  said.push_back({"scheme", "the system of paper 003: " + options_.in_words(), "003 (53) to (57)"});
+  said.push_back({"bonds",
+                  fmt::format("each particle has at most {} neighbours; its constants serve F and the force",
                               bonds_.table.most_neighbours),
                   "003 (41), (42)"});
   if (options_.upwind != "none")
-    said.push_back({options_.upwind == "adjoint"
-                        ? "Pairs dissipate by the form R^T S R, which keeps both momenta."
-                        : "Pairs dissipate; angular momentum is not kept.",
+    said.push_back({"upwinding",
+                    options_.upwind == "adjoint"
+                        ? "pairs dissipate by the form R^T S R, which keeps both momenta"
+                        : "pairs dissipate; angular momentum is not kept",
                     "003 (59), (60)"});
   if (options_.option > 0)
     said.push_back(
-        {fmt::format("The reference moves every {} steps.", options_.update_every), "003 (49) to (52)"});
-  for (const std::string& warning : options_.warnings()) said.push_back({"Note: " + warning + ".", ""});
+        {"reference", fmt::format("moves every {} steps", options_.update_every), "003 (49) to (52)"});
   return said;
 }
 

@@ -38,6 +38,11 @@ class Mixed {
   /// Fills the evolving fields of `rate` with the time derivatives of those of the state.
   std::optional<Trouble> rates(const State& state, double time, State& rate);
 
+  static constexpr int evaluations_per_step = 3;
+  const Slots& layout() const { return bonds_.table.slots; }
+  NeighbourCounts neighbours() const { return {bonds_.table.pairs, bonds_.table.most_neighbours}; }
+  std::vector<std::string> warnings() const { return options_.warnings(); }
+
   const Cloud<d>& cloud() const { return specimen_.cloud; }
   const MixedBonds<d>& bonds() const { return bonds_; }
   std::size_t bytes() const;

@@ -6,8 +6,7 @@
 
 namespace plumb {
 
-MixedOptions MixedOptions::read(const Section& section) {
-  MixedOptions o;
+MixedOptions MixedOptions::read(const Section& section, MixedOptions o) {
   o.volumes = section.choice_or("volumes", o.volumes, {"equal", "tributary"});
   o.kinematics = section.choice_or("kinematics", o.kinematics, {"tied", "evolved"});
   o.upwind = section.choice_or("upwind", o.upwind, {"none", "constant", "reconstructed", "adjoint"});

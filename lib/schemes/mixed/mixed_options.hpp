@@ -24,8 +24,8 @@ struct MixedOptions {
   /// F is an unknown of its own where it cannot be found from the positions.
   bool evolves_F() const { return evolves_HJ() || smooth_positions; }
 
-  /// Reads the section. Throws SceneError.
-  static MixedOptions read(const Section& section);
+  /// Reads the section; keys that it leaves out keep the values of `o`. Throws SceneError.
+  static MixedOptions read(const Section& section, MixedOptions o);
   /// Says for a reader what it is set to.
   std::string in_words() const;
   /// Says what a user should know about this choice before a run; a sentence each.

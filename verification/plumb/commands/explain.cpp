@@ -16,6 +16,7 @@
 #include "plumb/session.hpp"
 #include "plumbline/output/terminal.hpp"
 #include "plumbline/scene/limits.hpp"
+#include "plumbline/scene/scheme_simulation.hpp"
 
 namespace plumb {
 namespace {
@@ -79,6 +80,7 @@ Json explanation(const Scene& scene, const std::string& shows, TlsphSimulation<d
   Json json{{"scene", scene.name},
             {"shows", shows},
             {"dimension", d},
+            {"scheme", scene.method.scheme},
             {"particles", particles},
             {"neighbours",
              {{"mean", static_cast<double>(simulation.solid.bonds.pairs) / static_cast<double>(particles)},
@@ -105,8 +107,58 @@ Json explanation(const Scene& scene, const std::string& shows, TlsphSimulation<d
   return json;
 }
 
+/// The same of a scheme with a body of its own, by what the scheme says of itself.
+template <int d>
+Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& simulation) {
+  const Counts counts = simulation.counts();
+  const auto arrays = simulation.arrays();
+  const auto particles = static_cast<double>(counts.particles);
+  const std::size_t bytes = total_bytes(arrays);
+  const double dt = simulation.steps.allowed();
+  const long steps = steps_to_end(simulation.control, dt);
+  Json solves = Json::array(), sizes = Json::array();
+  for (const auto& statement : simulation.account()) solves.push_back(json_of(statement));
+  for (const auto& array : arrays) sizes.push_back({{"name", array.name}, {"bytes", array.bytes}});
+  const auto start = std::chrono::steady_clock::now();
+  const bool sound = !simulation.steps.advance(dt);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const std::string reason = simulation.control.fixed_step ? "fixed by the scene" : "what the scheme allows";
+  return {{"scene", scene.name},
+          {"shows", shows},
+          {"dimension", d},
+          {"scheme", simulation.scheme},
+          {"particles", counts.particles},
+          {"neighbours",
+           {{"mean", static_cast<double>(counts.pairs) / particles}, {"max", counts.most_neighbours}}},
+          {"solves", solves},
+          {"built", Json::array({"scheme " + simulation.scheme})},
+          {"left_out", Json::array()},
+          {"arrays", sizes},
+          {"memory",
+           {{"bytes", bytes},
+            {"bytes_per_particle", static_cast<double>(bytes) / particles},
+            {"peak_rss", peak_resident_bytes()}}},
+          {"dt", dt},
+          {"dt_reason", json_of(Statement{"time step", reason, ""})},
+          {"steps", steps},
+          {"evaluations_per_step", simulation.evaluations_per_step},
+          {"estimated_wall_s", sound ? Json(seconds.count() * static_cast<double>(steps)) : Json()},
+          {"costs", {{"particles", counts.particles}, {"parts", Json::array()}}},
+          {"warnings", simulation.warnings}};
+}
+
+template <int d>
+int explain_scheme(const Session& session, const Scene& scene, const std::string& shows) {
+  Simulation<d> simulation = make_scheme_simulation<d>(scene);
+  const Json json = explanation(scene, shows, simulation);
+  tell(session.text(), json);
+  session.write_json(json);
+  return 0;
+}
+
 template <int d>
 int explain(const Session& session, const Scene& scene, const std::string& shows) {
+  if (has_own_body(scene.method.scheme)) return explain_scheme<d>(session, scene, shows);
   std::optional<ProjectionCost> projection;
   if (scene.method.gradient == "compatible")
     projection = projection_cost<d>(scene, make_cloud<d>(scene.body));

@@ -41,6 +41,7 @@ std::string from_column(std::size_t column, const std::string& text) {
 }
 
 void tell_costs(std::ostream& out, const Json& costs) {
+  if (costs["parts"].empty()) return;
   for (const bool built : {true, false}) {
     bool first = true;
     for (const auto& cost : costs["parts"]) {
@@ -80,8 +81,11 @@ void tell_arrays(std::ostream& out, const Json& json) {
 }  // namespace
 
 void tell(std::ostream& out, const Json& json) {
-  out << from_column(0, fmt::format("{} ({}D) solves the motion of an elastic body by total Lagrangian SPH.",
-                                    json["scene"].get<std::string>(), json["dimension"].get<int>()))
+  const auto scheme = json["scheme"].get<std::string>();
+  out << from_column(
+             0, fmt::format("{} ({}D) solves the motion of an elastic body by {}.",
+                            json["scene"].get<std::string>(), json["dimension"].get<int>(),
+                            scheme == "tlsph" ? "total Lagrangian SPH" : "the scheme \"" + scheme + "\""))
       << '\n';
   if (const auto shows = json["shows"].get<std::string>(); !shows.empty())
     out << "  " << fmt::format("{:<12} {}\n", "shows", from_column(15, shows));
@@ -92,7 +96,7 @@ void tell(std::ostream& out, const Json& json) {
   std::string left_out;
   for (const auto& part : json["left_out"])
     left_out += (left_out.empty() ? "" : ", ") + part.get<std::string>();
-  out << "  not built: " << from_column(15, left_out) << '\n';
+  if (!left_out.empty()) out << "  not built: " << from_column(15, left_out) << '\n';
   tell_arrays(out, json);
   out << '\n'
       << from_column(

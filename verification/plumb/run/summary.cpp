@@ -61,6 +61,7 @@ Json energy_json(const FinishedRun<d>& run) {
           // A body at rest has no energy to compare with.
           {"relative_change", energy.initial > 0 ? Json(energy.total / energy.initial - 1) : Json()},
           {"terms", terms},
+          {"dissipated", energy.dissipated ? Json(*energy.dissipated) : Json()},
           {"support_work", energy.support_work ? Json(*energy.support_work) : Json()},
           {"net_change", energy.net_change ? Json(*energy.net_change) : Json()}};
 }
@@ -82,13 +83,14 @@ EnergyBudget energy_budget(const FinishedRun<d>& run) {
   const auto& simulation = run.simulation;
   const SchemeEnergy now = simulation.energy();
   const double initial = run.book.initial_energy;
-  EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, {}, {}};
+  EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, {}, {}, {}};
   for (const auto& more : now.more) budget.terms[more.name] += more.value;
-  if (!simulation.support_work) return budget;
-  const double work = simulation.support_work();
-  budget.support_work = work;
+  budget.dissipated = now.dissipated;
+  if (simulation.support_work) budget.support_work = simulation.support_work();
+  const double work = budget.support_work.value_or(0);
   const double scale = initial + std::abs(work);
-  if (scale > simulation.energy_round_off() && !simulation.has_other_work)
+  const double round_off = simulation.energy_round_off ? simulation.energy_round_off() : 0;
+  if (scale > round_off && !simulation.has_other_work)
     budget.net_change = (now.total() - initial - work) / scale;
   return budget;
 }

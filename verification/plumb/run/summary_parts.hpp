@@ -15,6 +15,8 @@ struct EnergyBudget {
   double kinetic, strain, total, initial;
   std::map<std::string, double> terms;  ///< of the optional terms that have one, by name ("hourglass")
   std::optional<double> support_work;   ///< of supports that move; empty: the scheme does not account for it
+  std::optional<double>
+      dissipated;  ///< turned into heat by the scheme since the start; empty: it does not say
   /// (total - initial - support work) / (initial + |support work|): none for a body at rest, whose energy
   /// is round-off.
   std::optional<double> net_change;

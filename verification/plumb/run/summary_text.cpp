@@ -37,6 +37,7 @@ std::string energy_text(const FinishedRun<d>& run) {
   if (energy.net_change)
     text +=
         fmt::format(": a change of {:+.3g} %{}", 100 * *energy.net_change, moved ? " net of that work" : "");
+  if (energy.dissipated) text += fmt::format("; dissipated {:.9g} {}", *energy.dissipated, unit);
   return text + "\n";
 }
 

@@ -1,0 +1,59 @@
+#include "plumbline/scene/scheme_simulation.hpp"
+
+#include <algorithm>
+
+#include "plumbline/run/any_scheme.hpp"
+#include "plumbline/scene/actions_of_scene.hpp"
+#include "plumbline/scene/initial_motion.hpp"
+#include "plumbline/scene/tlsph.hpp"
+#include "plumbline/schemes/mixed/mixed.hpp"
+
+namespace plumb {
+namespace {
+
+/// Of formulas in time, for a scene that ends by its number of steps [s].
+constexpr double default_time_scale = 1;
+
+/// Whether loads or supports that move can change the energy.
+template <int d>
+bool does_work(const Actions<d>& actions) {
+  return actions.has_loads() ||
+         std::any_of(actions.held.begin(), actions.held.end(), [](const Held<d>& held) {
+           return !held.steady ||
+                  std::any_of(held.places.begin(), held.places.end(), [&](const HeldPlace<d>& place) {
+                    return held.motion(place.at, place.component, 0).velocity != 0;
+                  });
+         });
+}
+
+}  // namespace
+
+bool has_own_body(const std::string& scheme) {
+  return scheme == "mixed";
+}
+
+template <int d>
+Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
+  const StepControl control = step_control(scene);
+  Specimen<d> specimen{std::move(start.cloud), scene.material.law(), scene.material.elastic()};
+  return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions), start.motion,
+                          control);
+}
+
+template <int d>
+Simulation<d> make_scheme_simulation(const Scene& scene) {
+  SchemeStart<d> start{make_cloud<d>(scene.body), {}, {}};
+  const auto facets = [&] { return surface_of<d>(scene.body, start.cloud).facets; };
+  const double time_scale = scene.end_time.value_or(default_time_scale);
+  start.actions = actions_of_scene<d>(start.cloud, scene, facets, time_scale);
+  refuse_contradictions<d>(start.cloud, start.actions, time_scale);
+  start.motion = initial_motion<d>(scene, start.cloud);
+  return make_scheme_simulation<d>(scene, std::move(start));
+}
+
+template Simulation<2> make_scheme_simulation<2>(const Scene&, SchemeStart<2>);
+template Simulation<3> make_scheme_simulation<3>(const Scene&, SchemeStart<3>);
+template Simulation<2> make_scheme_simulation<2>(const Scene&);
+template Simulation<3> make_scheme_simulation<3>(const Scene&);
+
+}  // namespace plumb
