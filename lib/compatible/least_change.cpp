@@ -1,46 +1,14 @@
 #include "plumbline/compatible/least_change.hpp"
 
-#include <Eigen/CholmodSupport>
 #include <algorithm>
-#include <mutex>
 
 #include "plumbline/compatible/conjugate_gradients.hpp"
 #include "plumbline/compatible/quadratic_fields.hpp"
 #include "plumbline/core/error.hpp"
+#include "plumbline/linear/cholesky.hpp"
 
 namespace plumb {
 namespace {
-
-/// CHOLMOD's factor. Its BLAS, the serial OpenBLAS, takes its work space from a list without a lock, and METIS
-/// draws from rand(): several threads at once get wrong factors, or other ones from run to run. So one thread
-/// at a time is in there (THEORY, Decisions).
-class Factor {
- public:
-  Factor() {
-    const std::lock_guard lock(in_use);
-    // a pivot that is not positive is no news to the user, and standard output is for results
-    factor_.cholmod().print = 0;
-  }
-  void analyse(const Eigen::SparseMatrix<double>& matrix) {
-    const std::lock_guard lock(in_use);
-    factor_.analyzePattern(matrix);
-  }
-  /// Whether matrix + shift I has factors.
-  bool factorise(const Eigen::SparseMatrix<double>& matrix, double shift) {
-    const std::lock_guard lock(in_use);
-    factor_.setShift(shift);
-    factor_.factorize(matrix);
-    return factor_.info() == Eigen::Success;
-  }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const {
-    const std::lock_guard lock(in_use);
-    return factor_.solve(right);
-  }
-
- private:
-  static inline std::mutex in_use;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-};
 
 /// Added to the diagonal, whose entries are of order 1. The smallest eigenvalues that matter belong to cubic
 /// fields and are of order (spacing/size)^6, 6e-14 for 160 particles across; a refinement multiplies their
@@ -79,7 +47,7 @@ bool is_thin_lattice(const BondOperator<d>& N) {
 }
 
 /// Factorises the matrix with the least shift that works.
-void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
+void factorise(Cholesky& factor, const Eigen::SparseMatrix<double>& matrix) {
   factor.analyse(matrix);
   double shift = least_shift;
   while (shift <= most_shift) {
@@ -92,7 +60,7 @@ void factorise(Factor& factor, const Eigen::SparseMatrix<double>& matrix) {
 
 /// All components at once, or one right-hand side per component.
 template <int d>
-Multipliers<d> solve(const Factor& factor, const Multipliers<d>& right, bool coupled) {
+Multipliers<d> solve(const Cholesky& factor, const Multipliers<d>& right, bool coupled) {
   const auto n = static_cast<Index>(right.size());
   const Index parts = coupled ? d : 1;  // NOLINT(bugprone-branch-clone): alike in 1D only
   Eigen::MatrixXd packed(n * parts * (d + 1), d / parts);
@@ -142,7 +110,7 @@ struct Refinement {
 
 template <int d>
 void solve_directly(Refinement<d>& refinement) {
-  Factor factor;
+  Cholesky factor;
   const auto matrix = normal_matrix(refinement.table, refinement.N);
   factorise(factor, matrix);
   refinement.found.unknowns = matrix.rows();

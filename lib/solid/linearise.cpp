@@ -47,24 +47,6 @@ SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& 
   return built<d>(d * d * solid.cloud.size(), d * solid.cloud.size(), entries);
 }
 
-/// T: one material tangent per particle, at the gradient that it has in the reference state (I for every
-/// consistent estimator).
-template <int d>
-SparseMatrix tangent_operator(const Solid<d>& solid) {
-  const BondTable<d>& t = solid.bonds;
-  Triplets entries;
-  Mat<d> F_last = Mat<d>::Zero();
-  Tangent<d> tangent;
-  for (Index i = 0; i < solid.cloud.size(); ++i) {
-    const Mat<d> F = estimated_identity(t, t.slots.of(i));
-    // round-off of the table must not make a tangent per particle
-    if ((F - F_last).cwiseAbs().maxCoeff() > 1e-12) tangent = solid.sweeps.tangent(F_last = F);
-    for (int m = 0; m < d * d; ++m)
-      for (int n = 0; n < d * d; ++n) entries.emplace_back(d * d * i + m, d * d * i + n, tangent(m, n));
-  }
-  return built<d>(d * d * solid.cloud.size(), d * d * solid.cloud.size(), entries);
-}
-
 /// -V D: first Piola-Kirchhoff stresses to minus the force on each particle.
 template <int d>
 SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
@@ -97,19 +79,51 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
 }  // namespace
 
 template <int d>
-Linearised linearise(const Solid<d>& solid) {
+LinearOperators linear_operators(const Solid<d>& solid) {
   const std::vector<Index> particle = particle_of_slot(solid);
-  Linearised result;
-  const SparseMatrix stress = tangent_operator(solid) * gradient_operator(solid, particle);
-  result.stiffness = force_operator(solid, particle) * stress;
+  LinearOperators operators;
+  operators.gradient = gradient_operator(solid, particle);
+  operators.force = force_operator(solid, particle);
   std::vector<StiffnessEntry> extra;
   for (const auto& term : solid.terms)
     if (term.stiffness) term.stiffness(solid, extra);
-  if (!extra.empty()) {
-    Triplets entries;
-    for (const auto& e : extra) entries.emplace_back(e.row, e.column, e.value);
-    result.stiffness += built<d>(result.stiffness.rows(), result.stiffness.cols(), entries);
+  Triplets entries;
+  for (const auto& e : extra) entries.emplace_back(e.row, e.column, e.value);
+  operators.terms = built<d>(d * solid.cloud.size(), d * solid.cloud.size(), entries);
+  operators.identity.resize(d * d * solid.cloud.size());
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Mat<d> identity = estimated_identity(solid.bonds, solid.bonds.slots.of(i));
+    for (int n = 0; n < d * d; ++n) operators.identity[d * d * i + n] = identity(n / d, n % d);
   }
+  return operators;
+}
+
+template <int d>
+SparseMatrix tangent_operator(const Solid<d>& solid, const Eigen::VectorXd& gradients) {
+  const Index n = solid.cloud.size();
+  std::vector<Tangent<d>> tangents(static_cast<std::size_t>(n));
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < n; ++i) {
+    Mat<d> F;
+    for (int m = 0; m < d * d; ++m) F(m / d, m % d) = gradients[d * d * i + m];
+    tangents[static_cast<std::size_t>(i)] = solid.sweeps.tangent(F);
+  }
+  Triplets entries;
+  entries.reserve(tangents.size() * d * d * d * d);
+  for (Index i = 0; i < n; ++i)
+    for (int m = 0; m < d * d; ++m)
+      for (int k = 0; k < d * d; ++k)
+        entries.emplace_back(d * d * i + m, d * d * i + k, tangents[static_cast<std::size_t>(i)](m, k));
+  return built<d>(d * d * n, d * d * n, entries);
+}
+
+template <int d>
+Linearised linearise(const Solid<d>& solid) {
+  const LinearOperators operators = linear_operators(solid);
+  Linearised result;
+  const SparseMatrix stress = tangent_operator(solid, operators.identity) * operators.gradient;
+  result.stiffness = operators.force * stress;
+  if (operators.terms.nonZeros() > 0) result.stiffness += operators.terms;
   result.mass.resize(d * solid.cloud.size());
   for (Index i = 0; i < solid.cloud.size(); ++i)
     result.mass.segment<d>(d * i).setConstant(solid.elastic.density * solid.cloud.V[i]);
@@ -138,8 +152,13 @@ SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<Index>& rows,
   return part;
 }
 
-template Linearised linearise<1>(const Solid<1>&);
-template Linearised linearise<2>(const Solid<2>&);
-template Linearised linearise<3>(const Solid<3>&);
+#define PLUMBLINE_INSTANTIATE(d)                                                      \
+  template LinearOperators linear_operators<d>(const Solid<d>&);                      \
+  template SparseMatrix tangent_operator<d>(const Solid<d>&, const Eigen::VectorXd&); \
+  template Linearised linearise<d>(const Solid<d>&);
+PLUMBLINE_INSTANTIATE(1)
+PLUMBLINE_INSTANTIATE(2)
+PLUMBLINE_INSTANTIATE(3)
+#undef PLUMBLINE_INSTANTIATE
 
 }  // namespace plumb

@@ -20,6 +20,21 @@ struct Linearised {
 template <int d>
 Linearised linearise(const Solid<d>& solid);
 
+/// What K is made of at every displacement: K = D T G + terms, where only T changes with the motion.
+/// Deformation gradients and stresses are numbered d^2 x particle + d x row + column.
+struct LinearOperators {
+  Eigen::VectorXd identity;  ///< what the table makes of the reference: I for every consistent estimator
+  SparseMatrix gradient;     ///< G [1/m]: F = identity + G u
+  SparseMatrix force;        ///< D [m^(d-1)]: P -> minus the force on every particle
+  SparseMatrix terms;        ///< stiffness of the terms [N/m]; their energies are quadratic
+};
+template <int d>
+LinearOperators linear_operators(const Solid<d>& solid);
+
+/// T at these deformation gradients: one material tangent dP/dF [Pa] per particle.
+template <int d>
+SparseMatrix tangent_operator(const Solid<d>& solid, const Eigen::VectorXd& gradients);
+
 /// Unknowns that no support holds, ascending: `held` lists the others (any order, repeats allowed).
 std::vector<Index> free_unknowns(Index unknowns, const std::vector<Index>& held);
 

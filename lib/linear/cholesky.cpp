@@ -1,0 +1,47 @@
+#include "plumbline/linear/cholesky.hpp"
+
+#include <Eigen/CholmodSupport>
+#include <mutex>
+
+namespace plumb {
+namespace {
+
+std::mutex& in_use() {
+  static std::mutex one_at_a_time;
+  return one_at_a_time;
+}
+
+}  // namespace
+
+struct Cholesky::Factor {
+  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> cholmod;
+};
+
+Cholesky::Cholesky() {
+  const std::lock_guard lock(in_use());
+  factor_ = std::make_unique<Factor>();
+  // a pivot that is not positive is no news to the user, and standard output is for results
+  factor_->cholmod.cholmod().print = 0;
+}
+Cholesky::~Cholesky() = default;
+Cholesky::Cholesky(Cholesky&&) noexcept = default;
+Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
+
+void Cholesky::analyse(const Matrix& matrix) {
+  const std::lock_guard lock(in_use());
+  factor_->cholmod.analyzePattern(matrix);
+}
+
+bool Cholesky::factorise(const Matrix& matrix, double shift) {
+  const std::lock_guard lock(in_use());
+  factor_->cholmod.setShift(shift);
+  factor_->cholmod.factorize(matrix);
+  return factor_->cholmod.info() == Eigen::Success;
+}
+
+Eigen::MatrixXd Cholesky::solve(const Eigen::MatrixXd& right) const {
+  const std::lock_guard lock(in_use());
+  return factor_->cholmod.solve(right);
+}
+
+}  // namespace plumb

@@ -1,0 +1,42 @@
+#include "plumbline/schemes/implicit/implicit_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumbline/input/section.hpp"
+
+namespace plumb {
+
+ImplicitOptions ImplicitOptions::read(const Section& section) {
+  ImplicitOptions options;
+  options.time_step = section.optional_number("time_step", quantity::time, Sign::positive);
+  if (options.time_step && section.has("steps"))
+    section.fail("steps", "contradicts time_step", "the steps to the end time follow from their length",
+                 "leave one of them out");
+  options.steps = section.integer_or("steps", options.steps, 1);
+  options.adaptive = section.flag_or("adaptive", options.adaptive);
+  options.tolerance = section.number_or("tolerance", options.tolerance, quantity::number, Sign::positive);
+  if (options.tolerance >= 1)
+    section.fail("tolerance", fmt::format("{:g} is no tolerance", options.tolerance),
+                 "it is a share of the forces", "give a number below 1, such as 1e-10");
+  // both stand in a scene so that other values can follow; a choice that is not built is an unknown one
+  section.choice_or("solver", "direct", {"direct"});
+  section.choice_or("dynamics", "none", {"none"});
+  section.reject_unknown();
+  return options;
+}
+
+std::string ImplicitOptions::in_words() const {
+  const std::string size = time_step ? fmt::format("load steps of {:g} s", *time_step)
+                                     : fmt::format("{} load step{}", steps, steps == 1 ? "" : "s");
+  return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces", size,
+                     adaptive ? " (halved and grown as needed)" : "", tolerance);
+}
+
+double ImplicitOptions::first_step(double end_time) const {
+  return time_step ? std::min(1.0, *time_step / end_time) : 1.0 / static_cast<double>(steps);
+}
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace plumb {
+
+class Section;
+
+/// Chooses how equilibria are sought on the way from no load to the load at the end time. It is the section
+/// [implicit] of a scene; without the section these are the defaults.
+struct ImplicitOptions {
+  static constexpr std::string_view section = "implicit", subject = "equilibrium",
+                                    theory = "THEORY (14.1) to (14.4)";
+
+  long steps = 4;                   ///< load steps to the end time, if none has to be halved
+  std::optional<double> time_step;  ///< [s]: gives the number of steps instead
+  bool adaptive = true;             ///< steps are halved on failure, and grow where Newton's method is quick
+  double tolerance = 1e-10;         ///< residual relative to the forces
+
+  /// Reads the section. Throws SceneError.
+  static ImplicitOptions read(const Section& section);
+  /// Says for a reader what it is set to.
+  std::string in_words() const;
+  /// Returns the first load step as a share of the path to `end_time` [s].
+  double first_step(double end_time) const;
+};
+
+}  // namespace plumb

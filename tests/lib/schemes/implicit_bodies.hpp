@@ -1,0 +1,96 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <string>
+
+#include "plumbline/compatible/compatible.hpp"
+#include "plumbline/hourglass/hourglass.hpp"
+#include "plumbline/schemes/implicit/discrete_energy.hpp"
+#include "plumbline/solid/make_solid.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/solids.hpp"
+
+/// Bodies with every table, law and term for the tests of the implicit scheme.
+namespace plumb::testing {
+
+/// Which bond table: an estimator of the catalogue, "compatible", or "dual": supports of their own per
+/// particle, as paper 004 (10)-(18) has them.
+struct TableChoice {
+  std::string name = "improved";
+  Pair pair = Pair::W1;
+};
+
+inline const std::vector<TableChoice>& all_tables() {
+  static const std::vector<TableChoice> tables{{"improved", Pair::W1},   {"standard", Pair::W0},
+                                               {"standard", Pair::W1},   {"bond38", Pair::W1},
+                                               {"compatible", Pair::W1}, {"dual", Pair::none}};
+  return tables;
+}
+
+/// c_ij = V_j L_i^-1 grad W with the support radius h_i of particle i; zero beyond it. Sums in units of h_i.
+template <int d>
+void set_dual_stencils(const Cloud<d>& cloud, const RadialKernel<d>& kernel,
+                       const std::vector<double>& radius, std::vector<std::vector<BondConstants<d>>>& bonds) {
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    const double h = radius[i] / kernel.support;
+    Mat<d> L = Mat<d>::Zero();
+    for (auto& bond : bonds[i]) {
+      const Vec<d>& X = bond.separation;
+      const double r = X.norm();
+      bond.stencil = r < radius[i] ? Vec<d>(cloud.V[bond.other] * kernel.dw(r / h) / r * X) : Vec<d>::Zero();
+      L += bond.stencil * X.transpose();
+    }
+    for (auto& bond : bonds[i]) bond.stencil = L.inverse() * bond.stencil;
+  }
+}
+
+/// Support radii that change by a third from particle to particle: about a fifth of the pairs are one-sided.
+template <int d>
+std::vector<double> varied_radii(const Cloud<d>& cloud) {
+  std::vector<double> radius;
+  for (const Vec<d>& X : cloud.X) radius.push_back(cloud.spacing * (2.4 + 0.5 * std::cos(20 * X.sum())));
+  return radius;
+}
+
+template <int d>
+BondOptions<d> table_options(const TableChoice& table, const Cloud<d>& cloud) {
+  Scheme scheme{.pair = table.pair};
+  if (table.name != "compatible" && table.name != "dual") scheme.estimator = table.name;
+  if (table.name == "dual") scheme = {.estimator = "standard", .pair = Pair::none, .beta = 1.5};
+  BondOptions<d> options = testing::options<d>(scheme, cloud.spacing);
+  if (table.name == "compatible") project_compatible(options);
+  if (table.name == "dual")
+    options.project = [kernel = options.kernel](Cloud<d>& particles, const Neighbours&, auto& bonds) {
+      set_dual_stencils<d>(particles, kernel, varied_radii(particles), bonds);
+    };
+  return options;
+}
+
+template <int d>
+Solid<d> elastic_body(const TableChoice& table, const LawChoice& law, double alpha, double jitter,
+                      Index cells = d == 2 ? 6 : 4) {
+  Cloud<d> cloud = testing::block<d>(cells, Layout::node, jitter);
+  const BondOptions<d> options = table_options<d>(table, cloud);
+  Solid<d> solid = make_solid<d>(std::move(cloud), law, rubber, options);
+  if (alpha > 0) add_term(solid, hourglass_term(solid, options.kernel, alpha));
+  return solid;
+}
+
+/// The energy of all unknowns.
+template <int d>
+DiscreteEnergy<d> energy_of_all(const Solid<d>& solid) {
+  return {solid, free_unknowns(d * solid.cloud.size(), {})};
+}
+
+/// Strains of some percent that no symmetry spares.
+template <int d>
+Eigen::VectorXd smooth_motion(const Cloud<d>& cloud, double size) {
+  Eigen::VectorXd u(d * cloud.size());
+  for (Index i = 0; i < cloud.size(); ++i)
+    for (int k = 0; k < d; ++k) {
+      const Vec<d>& X = cloud.X[i];
+      u[d * i + k] = size * (std::sin(2 * X[0] + k) * X[(k + 1) % d] + 0.3 * std::cos(3 * X[d - 1] - k));
+    }
+  return u;
+}
+
+}  // namespace plumb::testing

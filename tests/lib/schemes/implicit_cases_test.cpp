@@ -1,0 +1,91 @@
+// Published and closed-form equilibria by Newton's method, from scenes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "places.hpp"
+#include "plumbline/boundary/supports.hpp"
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/tlsph.hpp"
+#include "plumbline/schemes/implicit/equilibrium.hpp"
+
+namespace plumb {
+namespace {
+
+const std::string scenes = PLUMBLINE_SOURCE_DIR "/verification/scenes/";
+
+TlsphSimulation<2> equilibrium_of(const std::string& file, const std::vector<std::string>& set,
+                             StaticResult<2>* result = nullptr, const ImplicitOptions& options = {}) {
+  auto s = make_tlsph<2>(read_scene(scenes + file, set));
+  auto found = find_equilibrium<2>(s.solid, s.actions, s.control.end_time.value(), options, s.state);
+  EXPECT_TRUE(found.completed()) << found.failure->in_words();
+  if (result) *result = std::move(found);
+  return s;
+}
+
+Vec<2> displacement_near(const TlsphSimulation<2>& s, const Vec<2>& X) {
+  Index nearest = 0;
+  for (Index i = 0; i < s.solid.cloud.size(); ++i)
+    if ((s.solid.cloud.X[i] - X).norm() < (s.solid.cloud.X[nearest] - X).norm()) nearest = i;
+  EXPECT_LT((s.solid.cloud.X[nearest] - X).norm(), 1e-9);
+  return vector_at<2>(s.state.u, s.solid.bonds.slots.of(nearest));
+}
+
+/// CSM1 of Turek and Hron (2006): tip displaced by (-7.187e-3, -66.10e-3) m.
+TEST(ImplicitCases, ElasticFlagOfTurekAndHron) {
+  const Vec<2> published(-7.187e-3, -66.10e-3);
+  std::vector<Vec<2>> tips;
+  for (const char* spacing : {"0.005", "0.0025", "0.001"}) {
+    StaticResult<2> result;
+    const auto s = equilibrium_of("elastic-flag.toml", {std::string("body.spacing=") + spacing}, &result);
+    tips.push_back(displacement_near(s, {0.35, 0.01}));
+    std::cout << spacing << " " << tips.back().transpose() << " steps " << result.steps.size() << std::endl;
+    double area = 0;
+    for (const double V : s.solid.cloud.V) area += V;
+    EXPECT_NEAR(area, 0.35 * 0.02 + 6.7e-6, 1e-6);  // a rectangle and what lies beside the circle
+    EXPECT_NEAR(result.reactions[0].force[1], area * 1000 * 2, 1e-7 * 14);  // it carries the weight
+  }
+  EXPECT_NEAR(tips[2][0], published[0], 0.01 * std::abs(published[0]));
+  EXPECT_NEAR(tips[2][1], published[1], 0.01 * std::abs(published[1]));
+  for (int k = 0; k < 2; ++k)
+    EXPECT_LT(std::abs(tips[2][k] - tips[1][k]), 0.5 * std::abs(tips[1][k] - tips[0][k])) << k;
+}
+
+/// u_y = -rho g (L^2 - Y^2)/(2 E), Y from the lower end: exact for linear elasticity with nu = 0.
+TEST(ImplicitCases, BarUnderItsOwnWeight) {
+  const double g = 9.81, E = 17e6, rho = 1100;
+  std::vector<double> errors;
+  for (const char* spacing : {"0.05", "0.025"}) {
+    StaticResult<2> result;
+    const auto s = equilibrium_of("hanging-bar.toml",
+                                  {std::string("body.spacing=") + spacing, "material.model=linear-elastic",
+                                   "method.gradient=compatible"},
+                                  &result);
+    double worst = 0;
+    for (Index i = 0; i < s.solid.cloud.size(); ++i) {
+      const double Y = s.solid.cloud.X[i][1];
+      const double exact = -rho * g * (1 - Y * Y) / (2 * E);
+      worst = std::max(worst, std::abs(s.state.u[1][s.solid.bonds.slots.of(i)] - exact));
+    }
+    errors.push_back(worst / (rho * g / (2 * E)));
+    EXPECT_NEAR(result.reactions[0].force[1], rho * g * 0.2, 1e-9 * rho * g * 0.2);
+    EXPECT_LE(result.steps.back().newton.iterations(), 1);  // the law is linear: one step is exact
+  }
+  std::cout << errors[0] << " " << errors[1] << std::endl;
+  EXPECT_LT(errors[0], 0.01);
+  EXPECT_LT(errors[1], 0.3 * errors[0]);  // second order: a quarter
+}
+
+/// The damped run of the same scene ends where the direct search does.
+TEST(ImplicitCases, RelaxationEndsInTheSameEquilibrium) {
+  const auto found = equilibrium_of("hanging-bar.toml", {});
+  auto run_to = make_tlsph<2>(read_scene(scenes + "hanging-bar.toml", {}));
+  ASSERT_TRUE(run<2>(run_to.solid, run_to.state, run_to.stepper, run_to.control).completed());
+  const auto u = displacements_of(found.solid, found.state);
+  // the slowest motion has decayed by exp(-23) = 1e-10, times its time in units of the decay (critical
+  // damping)
+  EXPECT_LT((displacements_of(run_to.solid, run_to.state) - u).norm(), 1e-7 * u.norm());
+}
+
+}  // namespace
+}  // namespace plumb

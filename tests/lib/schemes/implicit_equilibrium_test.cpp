@@ -1,0 +1,291 @@
+// Equilibria against exact ones: patch tests under dead loads and pressures, quadratic convergence, supports
+// that move, and what is said when there is no equilibrium.
+#include "plumbline/schemes/implicit/equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "plumbline/boundary/supports.hpp"
+#include "plumbline/core/error.hpp"
+#include "plumbline/input/scene_error.hpp"
+#include "plumbline/material/models/neo_hookean.hpp"
+#include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/tlsph.hpp"
+#include "plumbline/solid/kinematics.hpp"
+#include "tests/support/solids.hpp"
+
+namespace plumb {
+namespace {
+
+Scene block_scene(const std::string& more, const std::string& size = "[1, 0.6]",
+                  const std::string& body = "") {
+  const std::string dimension = size.find(',') == size.rfind(',') ? "2" : "3";
+  return parse_scene("[scene]\ndimension = " + dimension + "\nend_time = \"2 s\"\n[body]\nsize = " + size +
+                         "\nspacing = 0.2\nlayout = \"node\"\njitter = 0.2\n" + body + R"(
+[material]
+model = "neo-hookean"
+young = "17 MPa"
+poisson = 0.3
+density = 1100
+[method]
+gradient = "compatible"
+beta = 1.2
+)" + more,
+                     "block.toml");
+}
+
+const std::string rollers = R"([[boundary]]
+face = "x-"
+kind = "roller"
+[[boundary]]
+face = "y-"
+kind = "roller"
+)";
+const std::string rollers_in_space = rollers + "[[boundary]]\nface = \"z-\"\nkind = \"roller\"\n";
+
+template <int d>
+StaticResult<d> found(TlsphSimulation<d>& s, const ImplicitOptions& options = {},
+                      const OnLoadStep<d>& on_step = {}) {
+  return find_equilibrium<d>(s.solid, s.actions, s.control.end_time.value(), options, s.state, on_step);
+}
+
+/// Every particle has the same deformation gradient, to the tolerance of Newton's method.
+template <int d>
+Mat<d> common_gradient(const TlsphSimulation<d>& s) {
+  const Mat<d> F = deformation_gradient_of(s.solid, s.state, 0);
+  for (Index i = 1; i < s.solid.cloud.size(); ++i)
+    EXPECT_LT((deformation_gradient_of(s.solid, s.state, i) - F).norm(), 1e-8) << i;
+  return F;
+}
+
+/// P of the law at F, by the body's own loops: differences of its energy would do, the tangent's integral is
+/// exact enough.
+template <int d>
+Mat<d> stress_at(const TlsphSimulation<d>& s, const Mat<d>& F) {
+  const NeoHookean law(s.solid.elastic);
+  return law.first_piola(F);
+}
+
+/// Traction on the end of a bar on rollers: a uniform stretch with P N = traction, whatever the cloud.
+TEST(Equilibrium, DeadTractionPassesThePatchTest) {
+  auto s = make_tlsph<2>(
+      block_scene(rollers + "[[boundary]]\nface = \"x+\"\nkind = \"traction\"\ntraction = [\"8 MPa\", 0]\n"));
+  const auto result = found(s);
+  ASSERT_TRUE(result.completed());
+  const Mat<2> F = common_gradient(s), P = stress_at(s, F);
+  EXPECT_GT(F(0, 0), 1.3);  // far from small strain
+  EXPECT_NEAR(P(0, 0), 8e6, 1e-8 * 8e6);
+  EXPECT_NEAR(P(1, 1), 0, 1e-8 * 8e6);
+  // reactions: the roller on x- carries the resultant, 8 MPa on 0.6 m
+  ASSERT_EQ(result.reactions.size(), 2u);
+  EXPECT_EQ(result.reactions[0].boundary, "x-");
+  EXPECT_NEAR(result.reactions[0].force[0], -8e6 * 0.6, 1e-8 * 8e6);
+  EXPECT_NEAR(result.reactions[1].force[1], 0, 1e-8 * 8e6);
+  EXPECT_EQ(s.state.time, 2.0);
+}
+
+TEST(Equilibrium, PressureThatFollowsPassesThePatchTestInSpace) {
+  std::string loads;
+  for (const char* face : {"x+", "y+", "z+"})
+    loads +=
+        std::string("[[boundary]]\nface = \"") + face + "\"\nkind = \"pressure\"\npressure = \"9 MPa\"\n";
+  auto s = make_tlsph<3>(block_scene(rollers_in_space + loads, "[0.8, 0.6, 0.6]"));
+  const auto result = found(s);
+  ASSERT_TRUE(result.completed());
+  const Mat<3> F = common_gradient(s);
+  const double J = F.determinant();
+  EXPECT_LT(J, 0.8);  // kappa = 14.2 MPa
+  const Mat<3> cauchy = stress_at(s, F) * F.transpose() / J;
+  EXPECT_LT((cauchy + 9e6 * Mat<3>::Identity()).norm(), 1e-7 * 9e6);
+}
+
+/// ln|r| doubles from iteration to iteration. Judged by residuals from 0.1 (before, the path to the root is
+/// not yet short) to 1e-12 (round-off of the forces follows).
+void expect_quadratic(const std::vector<double>& r, double least) {
+  int seen = 0;
+  for (double x : r) std::cout << x << " ";
+  std::cout << std::endl;
+  for (std::size_t n = 0; n + 2 < r.size(); ++n) {
+    if (r[n] > 0.1 || r[n + 2] < 1e-12) continue;
+    const double order = std::log(r[n + 2] / r[n + 1]) / std::log(r[n + 1] / r[n]);
+    EXPECT_GT(order, least) << r[n] << " " << r[n + 1] << " " << r[n + 2];
+    ++seen;
+  }
+  EXPECT_GE(seen, 1) << "no three residuals to judge by";
+}
+
+TEST(Equilibrium, NewtonConvergesQuadratically) {
+  for (const char* kind : {"kind = \"traction\"\ntraction = [0, \"0.3 MPa\"]\n",
+                           "kind = \"pressure\"\npressure = \"-0.3 MPa\"\n"}) {
+    auto s = make_tlsph<2>(block_scene(
+        "[hourglass]\n[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n[[boundary]]\nface = \"x+\"\n" +
+        std::string(kind)));
+    ImplicitOptions options;
+    options.steps = 1;
+    options.tolerance = 1e-13;
+    const auto result = found(s, options);
+    ASSERT_TRUE(result.completed());
+    ASSERT_EQ(result.steps.size(), 1u);
+    EXPECT_EQ(result.steps[0].newton.shifted, 0);
+    expect_quadratic(result.steps[0].newton.residuals, 1.7);
+  }
+}
+
+/// Half of the length in one step: the predictor carries the interior along, and the ends are where they are
+/// told to be.
+TEST(Equilibrium, SupportsThatMoveTakeTheBodyAlong) {
+  auto s = make_tlsph<2>(block_scene(
+      rollers + "[[boundary]]\nface = \"x+\"\nkind = \"displacement\"\ndisplacement = [\"0.25*t\", 0]\n"));
+  ImplicitOptions options;
+  options.steps = 1;
+  const auto result = found(s, options);
+  ASSERT_TRUE(result.completed());
+  EXPECT_EQ(result.rejected, 0);
+  for (Index i = 0; i < s.solid.cloud.size(); ++i)
+    if (s.solid.cloud.X[i][0] > 0.99) {
+      const Vec<2> u = vector_at<2>(s.state.u, s.solid.bonds.slots.of(i));
+      EXPECT_EQ(u[0], 0.5);
+      EXPECT_EQ(u[1], 0);
+    }
+  EXPECT_NEAR(result.reactions[0].force[0], -result.reactions[2].force[0],
+              1e-7 * result.reactions[2].force[0]);
+  EXPECT_GT(result.reactions[2].force[0], 0.6 * 17e6 * 0.3);
+}
+
+/// Steps grow, the answer does not depend on them, and a path goes on from where it was left.
+TEST(Equilibrium, DoesNotDependOnTheSteps) {
+  const std::string load = rollers +
+                           "[[boundary]]\nface = \"x+\"\nkind = \"traction\"\ntraction = [\"3e6*t\", "
+                           "\"2e5*t\"]\n[[boundary]]\nwhere = \"X + Y < 0.01\"\nkind = \"clamped\"\n";
+  auto one = make_tlsph<2>(block_scene(load)), many = one, resumed = one;
+  ImplicitOptions options;
+  options.steps = 1;
+  ASSERT_TRUE(found(one, options).completed());
+  options.steps = 10;
+  std::vector<double> shares;
+  const auto result = found<2>(many, options, [&](const State<2>& state, const LoadStep& step) {
+    EXPECT_NEAR(state.time, 2 * step.share, 1e-15);
+    shares.push_back(step.share);
+    if (shares.size() == 2) resumed.state = state;
+  });
+  ASSERT_TRUE(result.completed());
+  EXPECT_LT(shares.size(), 8u);
+  EXPECT_NEAR(shares[0], 0.1, 1e-15);
+  EXPECT_NEAR(shares[1], 0.25, 1e-15);  // grown by a half
+  EXPECT_EQ(shares.back(), 1);
+  EXPECT_NEAR(resumed.state.time, 0.5, 1e-15);
+  ASSERT_TRUE(found(resumed, options).completed());
+  const auto u = displacements_of(one.solid, one.state);
+  EXPECT_LT((u - displacements_of(many.solid, many.state)).norm(), 1e-8 * u.norm());
+  EXPECT_LT((u - displacements_of(resumed.solid, resumed.state)).norm(), 1e-8 * u.norm());
+}
+
+TEST(Equilibrium, ABodyThatCanStillMoveIsNamed) {
+  auto s = make_tlsph<2>(block_scene("[[boundary]]\nface = \"x-\"\nkind = \"roller\"\n"));
+  try {
+    found(s);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "the body can move along y");
+  }
+}
+
+/// Two pieces in one cloud, one of them held: no rigid motion of the whole, and yet no equilibrium.
+TEST(Equilibrium, APieceThatNothingHoldsIsNamedByOneOfItsParticles) {
+  Cloud<2> cloud = testing::block<2>(4, Layout::node, 0);
+  const Index half = cloud.size();
+  for (Index i = 0; i < half; ++i) {
+    cloud.X.push_back(cloud.X[i] + Vec<2>(5, 0));
+    cloud.V.push_back(cloud.V[i]);
+  }
+  cloud.line = 0;
+  const BondOptions<2> options = testing::options<2>({}, cloud.spacing);
+  const Solid<2> solid = make_solid<2>(std::move(cloud), "neo-hookean", testing::rubber, options);
+  std::vector<Support<2>> supports;
+  for (Index i = 0; i < half; ++i)
+    for (int k = 0; k < 2; ++k) supports.push_back({i, k});
+  State<2> state = make_state(solid);
+  try {
+    find_equilibrium<2>(solid, holding<2>(solid.cloud, supports), 1, {}, state);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem().find("particle "), 0u) << error.what();
+    EXPECT_GE(std::stol(error.problem().substr(9)), half) << error.what();
+  }
+}
+
+/// Saint Venant-Kirchhoff under a dead pressing load: P = E (l^3 - l)/2 is least at l = 1/sqrt(3), with P =
+/// -E/(3 sqrt(3)) (nu = 0).
+TEST(Equilibrium, StopsBelowALimitPointAndSaysSo) {
+  auto scene =
+      block_scene(rollers +
+                  "[[boundary]]\nface = \"y+\"\nkind = \"roller\"\n[[boundary]]\nface = \"x+\"\nkind = "
+                  "\"traction\"\ntraction = [\"-4 MPa\", 0]\n");
+  scene.material.model = "saint-venant-kirchhoff";
+  scene.material.poisson = 0;
+  auto s = make_tlsph<2>(scene);
+  const auto result = found(s);
+  ASSERT_FALSE(result.completed());
+  EXPECT_EQ(result.failure->cause, "limit-point") << result.failure->in_words();
+  const double limit = 17e6 / (3 * std::sqrt(3.0)) / 4e6;  // 0.818 of the load
+  EXPECT_LT(s.state.time / 2, limit);
+  EXPECT_GT(s.state.time / 2, 0.99 * limit);
+  EXPECT_GT(result.failure->share, s.state.time / 2);
+  const double stretch = common_gradient(s)(0, 0);
+  EXPECT_GT(stretch, 1 / std::sqrt(3.0));
+  EXPECT_NEAR(17e6 * (std::pow(stretch, 3) - stretch) / 2, -4e6 * s.state.time / 2, 1e-6 * 4e6);
+}
+
+/// The block with a force that is no number from t = 0.9 s on.
+TlsphSimulation<2> lost_block() {
+  auto s = make_tlsph<2>(block_scene(rollers));
+  s.actions.body.push_back({"lost",
+                            [](const Vec<2>&, double t) -> Vec<2> {
+                              return {1e5 * std::sqrt(0.9 - t), 0};
+                            },
+                            false});
+  return s;
+}
+
+TEST(Equilibrium, ALoadThatIsNotANumberIsSaid) {
+  auto s = lost_block();
+  const auto result = found(s);
+  ASSERT_FALSE(result.completed());
+  EXPECT_EQ(result.failure->cause, "non-finite");
+  EXPECT_LT(s.state.time, 0.9);
+  EXPECT_GT(s.state.time, 0.89);
+  EXPECT_GT(result.rejected, 0);
+}
+
+TEST(Equilibrium, WithoutAdaptationAFailedStepEndsThePath) {
+  auto s = lost_block();
+  ImplicitOptions options;
+  options.adaptive = false;
+  const auto result = found(s, options);
+  EXPECT_EQ(result.rejected, 0);
+  EXPECT_EQ(result.steps.size(), 1u);
+  EXPECT_EQ(s.state.time, 0.5);
+  EXPECT_EQ(result.failure->share, 0.5);
+}
+
+/// A wall that goes through the body: the last equilibrium is kept, and the particle whose J is not positive
+/// is named.
+TEST(Equilibrium, ATurnedOverParticleIsNamed) {
+  auto s = make_tlsph<2>(
+      block_scene(rollers + "[[boundary]]\nface = \"y+\"\nkind = \"roller\"\n[[boundary]]\nface = "
+                            "\"x+\"\nkind = \"displacement\"\ndisplacement = [\"-0.7*t\", 0]\n"));
+  const auto result = found(s);
+  ASSERT_FALSE(result.completed());
+  EXPECT_EQ(result.failure->cause, "inverted");
+  EXPECT_LE(result.failure->particle.determinant, 0);
+  EXPECT_GE(result.failure->particle.particle, 0);
+  EXPECT_NE(result.failure->in_words().find("J = "), std::string::npos);
+  EXPECT_LT(s.state.time / 2, 1 / 1.4);
+  EXPECT_GT(s.state.time / 2, 0.9 / 1.4);
+  EXPECT_GT(common_gradient(s)(0, 0), 0);
+}
+
+}  // namespace
+}  // namespace plumb
