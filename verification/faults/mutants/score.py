@@ -49,11 +49,12 @@ def score(rows, about):
 
 
 def merged(path, about, rows, sample):
-    """The rows with those that an earlier call judged of the same sample {number: mutant}; what has changed since is left out."""
+    """The rows with those that an earlier call judged of the same sample {number: mutant}; what has changed since is left out.
+    A sample begins with every smaller one of its seed."""
     known, numbers = {}, {(m.file, m.before, m.after): n for n, m in sample.items()}
     if path.exists():
         stored = json.loads(path.read_text())
-        if all(stored.get(k) == v for k, v in about.items() if k in ("seed", "count", "drawn_from")):
+        if all(stored.get(k) == v for k, v in about.items() if k in ("seed", "drawn_from")):
             named = [(numbers.get(identity(r)), r) for r in stored["mutants"]]
             known = {n: r | {"number": n, "line": sample[n].line} for n, r in named if n}
     first = {n: r.get("first", r["state"]) for n, r in known.items()}
