@@ -15,11 +15,10 @@ using nlohmann::json;
 using test::run_shell;
 const std::string root = PLUMBLINE_SOURCE_DIR, plumb = PLUMB_EXECUTABLE;
 
-/// Runs the call and ends it by Ctrl-C as soon as the condition holds, if it is not over before.
-test::Outcome interrupted_when(const std::string& condition, const std::string& call) {
-  return run_shell(
-      call + " & run=$!; until (" + condition +
-      ") >/dev/null 2>&1 || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; kill -INT $run; wait $run");
+/// Runs the call and ends it by Ctrl-C as soon as it has finished `count` files whose names hold the text.
+test::Outcome interrupted_at(const std::string& file, int count, const std::string& call) {
+  return run_shell("PLUMB_TEST_INTERRUPT_AT=" + file + " PLUMB_TEST_INTERRUPT_COUNT=" + std::to_string(count) +
+                   " LD_PRELOAD=" INTERRUPT_AT " " + call);
 }
 
 /// The result without what depends on the clock, the machine and the command line.
@@ -51,7 +50,7 @@ class Interrupt : public testing::TestWithParam<std::pair<const char*, std::stri
 TEST_P(Interrupt, FinishedPartsAreKeptAndUsed) {
   ASSERT_LE(run_shell(call(to("whole.json"))).code, 1);
   EXPECT_FALSE(std::filesystem::exists(kept())) << "a whole study leaves nothing behind";
-  const auto ended = interrupted_when("ls " + kept() + "/*.json", call(to("none.json")));
+  const auto ended = interrupted_at(kept() + "/", 1, call(to("none.json")));
   ASSERT_EQ(ended.code, 130) << ended.error;
   ASSERT_NE(ended.error.find("finished parts are kept in"), std::string::npos) << ended.error;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.json"));
@@ -96,7 +95,7 @@ TEST(InterruptStability, FinishedRunsAreKept) {
   const std::string call = plumb + " stability " + root +
                            "/verification/stability/small-motion.toml --threads 1 --cache " + cache +
                            " --json " + (folder / "result.json").string();
-  const auto ended = interrupted_when("[ $(ls " + cache + " | wc -l) -ge 5 ]", call);
+  const auto ended = interrupted_at(cache + "/", 5, call);
   ASSERT_EQ(ended.code, 130) << ended.error;
   EXPECT_EQ(json::parse(test::content_of(folder / "result.json"))["status"], "interrupted");
   const auto count = [&] { return std::distance(std::filesystem::directory_iterator(cache), {}); };
@@ -115,7 +114,7 @@ TEST(InterruptReport, FinishedStudiesAreStored) {
   const test::TemporaryFolder folder;
   const std::string call = plumb + " report --only kernels,gradients,refinement --threads 1 --root " + root +
                            " --out " + (folder / "out").string();
-  const auto ended = interrupted_when("ls " + (folder / "out").string() + "/store/*/cost.json", call);
+  const auto ended = interrupted_at("/cost.json", 1, call);
   ASSERT_EQ(ended.code, 130) << ended.out;
   EXPECT_NE(ended.error.find("studies are finished and stored"), std::string::npos) << ended.error;
   const auto rest = run_shell(call);

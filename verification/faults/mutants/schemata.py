@@ -1,6 +1,7 @@
 """Chooses mutants and writes them into a copy of the sources, each beside the original behind a switch that is read at run time."""
+import collections
 import dataclasses
-import random
+import hashlib
 
 from .operators import edits
 from .source import Region, read_regions, read_tokens
@@ -66,14 +67,16 @@ def mutants_of(file, text):
 
 
 def draw(candidates, count, seed):
-    """A random order of the mutants, by places first: a place that many operators can change counts once."""
-    places = {}
+    """A random order of the mutants, by places first: a place that many operators can change counts once. The order depends on the
+    text of each place and on nothing else, so that a sample stays what it is when other lines change."""
+    places, seen, order = {}, collections.Counter(), {}
     for m in sorted(candidates, key=lambda m: (m.file, m.start, m.operator, m.new)):
         places.setdefault((m.file, m.start), []).append(m)
-    chosen = random.Random(seed)
-    order = sorted(places)
-    chosen.shuffle(order)
-    return [chosen.choice(places[p]) for p in order][:count]
+    for place in sorted(places):
+        name = (place[0], places[place][0].before)
+        order[place] = hashlib.sha256(f"{seed} {name} {seen[name]}".encode()).digest()
+        seen[name] += 1
+    return [places[p][order[p][-1] % len(places[p])] for p in sorted(places, key=order.get)][:count]
 
 
 def numbered(text, mutants, switch):

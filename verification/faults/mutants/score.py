@@ -27,12 +27,18 @@ def equivalents(path):
 
 
 def line(name, rows):
-    """Counts of one folder. The share is of those that a test could see."""
+    """Counts of one folder. The share is of those that a test could see; `at_first` is the share before tests were written for what
+    the sample had shown."""
     count = {s: sum(r["state"] == s for r in rows) for s in ("killed", "alive", "equivalent", "not compiled")}
     judged = count["killed"] + count["alive"]
+    first = sum(r["state"] == "killed" and r.get("first", "killed") == "killed" for r in rows)
     return {"folder": name, "sampled": len(rows), "killed": count["killed"], "alive": count["alive"], "equivalent": count["equivalent"],
-            "not_compiled": count["not compiled"], "share": round(count["killed"] / judged, 4) if judged else None,
-            "interval": wilson(count["killed"], judged)}
+            "not_compiled": count["not compiled"], "share": share(count["killed"], judged), "interval": wilson(count["killed"], judged),
+            "killed_at_first": first, "share_at_first": share(first, judged), "interval_at_first": wilson(first, judged)}
+
+
+def share(killed, judged):
+    return round(killed / judged, 4) if judged else None
 
 
 def score(rows, about):
@@ -42,12 +48,26 @@ def score(rows, about):
                     "mutants": rows}
 
 
-def merged(path, about, rows):
-    """The rows with those that an earlier call judged of the same sample."""
-    known = {}
+def merged(path, about, rows, sample):
+    """The rows with those that an earlier call judged of the same sample {number: mutant}; what has changed since is left out.
+    A sample begins with every smaller one of its seed."""
+    known, numbers = {}, {(m.file, m.before, m.after): n for n, m in sample.items()}
     if path.exists():
         stored = json.loads(path.read_text())
-        if all(stored.get(k) == v for k, v in about.items() if k in ("seed", "count", "drawn_from")):
-            known = {r["number"]: r for r in stored["mutants"]}
-    known |= {r["number"]: r for r in rows}
+        if all(stored.get(k) == v for k, v in about.items() if k in ("seed", "drawn_from")):
+            named = [(numbers.get(identity(r)), r) for r in stored["mutants"]]
+            known = {n: r | {"number": n, "line": sample[n].line} for n, r in named if n}
+    first = {n: r.get("first", r["state"]) for n, r in known.items()}
+    known |= {r["number"]: r | {"first": first.get(r["number"], r["state"])} for r in rows}
     return [known[n] for n in sorted(known)]
+
+
+def identity(row):
+    return row["file"], row["before"], row["after"]
+
+
+def unseen(path, sample):
+    """Numbers of those that the stored score calls alive."""
+    stored = json.loads(path.read_text())["mutants"] if path.exists() else []
+    alive = {identity(r) for r in stored if r["state"] == "alive"}
+    return {n for n, m in sample.items() if (m.file, m.before, m.after) in alive}

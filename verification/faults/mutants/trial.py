@@ -62,7 +62,7 @@ def run(build, program, names, limit, **environment):
     return f"{pathlib.Path(program).name}: {failed[0] if failed else names[0] if len(names) == 1 else 'crash'}"
 
 
-def survey(build, tests, jobs, tell, most=60):
+def survey(build, tests, jobs, tell, most):
     """Times every test and sees which mutants it reaches. Those that fail, or take longer than `most` seconds, are not used."""
     def one(test):
         with tempfile.NamedTemporaryFile(prefix="plumb_seen_") as file:

@@ -66,8 +66,11 @@ class Workshop:
         return [f"verification/studies/{n}" if n == "studies" else f"tests/{n}" for n in self.targets() if n != "plumb"]
 
     def make(self, mutants, tell):
-        """Builds; mutants that do not compile are taken out until the rest does. Returns those that were left out."""
-        left_out = {}
+        """Builds; mutants that do not compile are taken out until the rest does. Returns those that were left out, which are
+        written down: a later call does not try them again."""
+        listed = self.place / "not_compiled.json"
+        names = set(json.loads(listed.read_text())) if listed.exists() else set()
+        left_out = {n: m for n, m in mutants.items() if m.name() in names}
         while True:
             self.write({n: m for n, m in mutants.items() if n not in left_out})
             self.configure()
@@ -82,6 +85,7 @@ class Workshop:
                 (self.place / "build.log").write_text(done.stdout + done.stderr)
                 raise RuntimeError(f"the copy does not build, and no mutant is to blame: see {self.place / 'build.log'}")
             left_out |= {n: mutants[n] for n in wrong}
+            listed.write_text(json.dumps(sorted(names | {m.name() for m in left_out.values()}), indent=1) + "\n")
             tell(f"{len(wrong)} mutants do not compile and are left out: " + ", ".join(f"{n} {mutants[n].file}" for n in sorted(wrong)))
 
 
