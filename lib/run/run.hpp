@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "plumbline/run/saved_state.hpp"
@@ -37,7 +38,7 @@ struct Failure {
   Cause cause;
   Index particle;  ///< where it was found; -1 if it belongs to no particle
   double value;    ///< of the quantity: J, energy ratio, time step [s]
-  std::string_view quantity;
+  std::string quantity;
 };
 
 /// Of the steps that the control allowed: one that was cut at a multiple of the interval counts in full, and

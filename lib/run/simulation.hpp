@@ -29,6 +29,13 @@ struct Counts {
   double bytes_per_update = 0;  ///< THEORY (10.8); 0: not known
 };
 
+/// The force of the supports of one boundary on the body [N] (per metre of thickness in 2D).
+template <int d>
+struct BoundaryForce {
+  std::string boundary;
+  Vec<d> force;
+};
+
 /// One array of a simulation, for `plumb explain` and memory figures.
 struct ArrayEntry {
   std::string name;
@@ -53,8 +60,9 @@ struct Simulation {
   std::function<Momentum()> momentum;
   std::function<double()> hourglass_share;  ///< THEORY (8.4); empty: the scheme has none
   std::function<double()> support_work;     ///< of supports that move, so far [J]; empty: not accounted for
-  bool moves_supports = false;              ///< at a steady velocity
-  bool has_other_work = false;              ///< by loads, damping or supports that change their velocity
+  std::function<std::vector<BoundaryForce<d>>()> reactions;  ///< empty: the scheme does not say
+  bool moves_supports = false;                               ///< at a steady velocity
+  bool has_other_work = false;  ///< by loads, damping or supports that change their velocity
   std::function<std::vector<Statement>()> account;  ///< what it solves; empty: `plumb explain` knows itself
   std::function<Counts()> counts;
   std::function<std::vector<ArrayEntry>()> arrays;

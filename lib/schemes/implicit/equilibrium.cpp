@@ -90,51 +90,75 @@ std::string StaticFailure::in_words() const {
 }
 
 template <int d>
+EquilibriumPath<d>::EquilibriumPath(const Solid<d>& solid, const Actions<d>& actions, double end_time,
+                                    const ImplicitOptions& options, State<d>& state)
+    : actions_(actions),
+      options_(options),
+      state_(state),
+      end_time_(end_time),
+      share_(state.time / end_time),
+      first_(options.first_step(end_time)),
+      length_(first_),
+      u_(displacements_of(solid, state)),
+      balance_(solid, actions, {share_, end_time}, u_),
+      solver_(balance_.symmetric()) {
+  require_support(balance_, solver_);
+  balance_.put_held(u_);
+}
+
+template <int d>
+std::optional<StaticFailure> EquilibriumPath<d>::move_to(double to, const OnLoadStep<d>& on_step) {
+  while (share_ < to) {
+    const bool cut = share_ + length_ > to - 1e-12;  // a step that ends there but for rounding counts
+    const double next = cut ? to : share_ + length_;
+    const double tried = next - share_;
+    balance_.move_to(next);
+    Eigen::VectorXd trial = u_;
+    const NewtonResult search = equilibrium_at(balance_, solver_, options_.tolerance, trial);
+    if (!search.converged()) {
+      length_ = tried / 2;
+      if (options_.adaptive && length_ >= least_of_first * first_) {
+        ++rejected_;
+        tried_longer_ = true;
+        continue;
+      }
+      return StaticFailure{cause_of(search), next, balance_.energy().solid().unsound, search.residuals};
+    }
+    share_ = next;
+    u_ = trial;
+    steps_.push_back({share_, search});
+    set_equilibrium(balance_.energy().solid(), u_, share_ * end_time_, state_);
+    if (on_step) on_step(state_, steps_.back());
+    if (options_.adaptive && !tried_longer_ && !cut && search.iterations() <= quick) length_ *= growth;
+    tried_longer_ = false;
+  }
+  return std::nullopt;
+}
+
+template <int d>
+std::vector<Reaction<d>> EquilibriumPath<d>::reactions() {
+  balance_.move_to(share_);
+  const auto residual = balance_.residual(u_);
+  return residual ? reactions_of(actions_, *residual) : std::vector<Reaction<d>>{};
+}
+
+template <int d>
 StaticResult<d> find_equilibrium(const Solid<d>& solid, const Actions<d>& actions, double end_time,
                                  const ImplicitOptions& options, State<d>& state,
                                  const OnLoadStep<d>& on_step) {
+  EquilibriumPath<d> path(solid, actions, end_time, options, state);
   StaticResult<d> result;
-  Eigen::VectorXd u = displacements_of(solid, state);
-  double share = state.time / end_time;
-  Balance<d> balance(solid, actions, {share, end_time}, u);
-  DescentSolver solver(balance.symmetric());
-  require_support(balance, solver);
-  balance.put_held(u);
-  const double first = options.first_step(end_time);
-  double length = first;
-  bool tried_longer = false;  // in vain: then the next step does not grow
-  while (share < 1) {
-    const double next = share + length > 1 - 1e-12 ? 1 : share + length;
-    balance.move_to(next);
-    Eigen::VectorXd trial = u;
-    const NewtonResult search = equilibrium_at(balance, solver, options.tolerance, trial);
-    length = next - share;
-    if (!search.converged()) {
-      length /= 2;
-      if (options.adaptive && length >= least_of_first * first) {
-        ++result.rejected;
-        tried_longer = true;
-        continue;
-      }
-      result.failure = {cause_of(search), next, balance.energy().solid().unsound, search.residuals};
-      break;
-    }
-    share = next;
-    u = trial;
-    result.steps.push_back({share, search});
-    set_equilibrium(solid, u, share * end_time, state);
-    if (on_step) on_step(state, result.steps.back());
-    if (options.adaptive && !tried_longer && search.iterations() <= quick) length *= growth;
-    tried_longer = false;
-  }
-  balance.move_to(share);
-  if (const auto r = balance.residual(u)) result.reactions = reactions_of(actions, *r);
+  result.failure = path.move_to(1, on_step);
+  result.steps = path.steps();
+  result.rejected = path.rejected();
+  result.reactions = path.reactions();
   return result;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                           \
-  template StaticResult<d> find_equilibrium<d>(const Solid<d>&, const Actions<d>&, double, \
-                                               const ImplicitOptions&, State<d>&, const OnLoadStep<d>&);
+#define PLUMBLINE_INSTANTIATE(d)                                                                         \
+  template StaticResult<d> find_equilibrium<d>(const Solid<d>&, const Actions<d>&, double,               \
+                                               const ImplicitOptions&, State<d>&, const OnLoadStep<d>&); \
+  template class EquilibriumPath<d>;
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -46,6 +46,41 @@ struct StaticResult {
 template <int d>
 using OnLoadStep = std::function<void(const State<d>& state, const LoadStep& step)>;
 
+/// The way from no load to the loads and supports of the end time [s], as find_equilibrium() goes it, one
+/// part after the other. The body, the actions and the state must outlive it.
+template <int d>
+class EquilibriumPath {
+ public:
+  EquilibriumPath(const Solid<d>& solid, const Actions<d>& actions, double end_time,
+                  const ImplicitOptions& options, State<d>& state);
+
+  /// Goes on to this share of the load, in as many steps as it takes. The state is left at the last
+  /// equilibrium.
+  std::optional<StaticFailure> move_to(double share, const OnLoadStep<d>& on_step = {});
+
+  /// Share that the next step would add.
+  double length() const { return length_; }
+  /// Starts the next step with this length, that of an earlier part of the path.
+  void set_length(double length) { length_ = length; }
+  double share() const { return share_; }
+  int rejected() const { return rejected_; }
+  const std::vector<LoadStep>& steps() const { return steps_; }
+  /// Forces of the supports at the last equilibrium.
+  std::vector<Reaction<d>> reactions();
+
+ private:
+  const Actions<d>& actions_;
+  ImplicitOptions options_;
+  State<d>& state_;
+  double end_time_, share_, first_, length_;
+  Eigen::VectorXd u_;
+  Balance<d> balance_;
+  DescentSolver solver_;
+  bool tried_longer_ = false;  ///< in vain: then the next step does not grow
+  int rejected_ = 0;
+  std::vector<LoadStep> steps_;
+};
+
 /// Finds the equilibria of a body on the way to the loads and supports of the end time [s], from the state at
 /// its time (0: no load) on. Loads and displacements that vary in time are taken at the time of the step;
 /// constant ones grow in proportion to it. The state is left at the last equilibrium, at rest, so that a path

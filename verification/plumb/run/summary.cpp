@@ -129,6 +129,11 @@ Json summary(const FinishedRun<d>& run) {
   json.update(momentum_json(run));
   json["extent"] = {{"min", list<d>(extent.lower)}, {"max", list<d>(extent.upper)}};
   json["hourglass_share"] = run.simulation.hourglass_share ? Json(run.simulation.hourglass_share()) : Json();
+  if (run.simulation.reactions) {
+    json["reactions"] = Json::object();
+    for (const auto& [boundary, force] : run.simulation.reactions())
+      json["reactions"][boundary] = list<d>(force);
+  }
   json["probes"] = probes_json(run);
   json["failure"] = failure_json(run.result.failure);
   if (run.result.failure)
