@@ -185,6 +185,9 @@ TlsphSimulation<d> simulation_of(const Study& study, const Manufactured<d>& solu
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           const Loading& loading) {
+  if (study.method.scheme == "implicit")
+    throw InputError("scheme = \"implicit\" does not follow a motion in time",
+                     "it goes from equilibrium to equilibrium", "use scheme = \"tlsph\" or \"mixed\"");
   DrivenBody<d> body{simulation_of<d>(study, solution, spacing), {}};
   TlsphSimulation<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,

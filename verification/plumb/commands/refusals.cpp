@@ -16,8 +16,8 @@
 #include "plumbline/output/file.hpp"
 #include "plumbline/scene/material_path.hpp"
 #include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/simulation.hpp"
 #include "plumbline/scene/study.hpp"
-#include "plumbline/scene/tlsph.hpp"
 #include "reports/run/process.hpp"
 
 namespace plumb {
@@ -95,7 +95,8 @@ std::string refusal_of_file(const BadInput& bad, const std::string& text) {
     }
     const Scene scene = parse_scene(text, "scene.toml", bad.overrides);
     require_memory(scene);
-    with_dimension(scene, [&scene]<int d>() { return make_tlsph<d>(scene).solid.cloud.size() > 0; });
+    with_dimension(scene,
+                   [&scene]<int d>() { return make_simulation<d>(scene).simulation.counts().particles > 0; });
   } catch (const InputError& error) {
     return "plumb: " + message_of(error);
   }
