@@ -3,8 +3,8 @@
 #include "plumbline/core/error.hpp"
 #include "plumbline/material/laws.hpp"
 #include "plumbline/material/models/polyconvex.hpp"
-#include "plumbline/schemes/mixed/gather.hpp"
-#include "plumbline/schemes/mixed/tensors.hpp"
+#include "plumbline/schemes/gather.hpp"
+#include "plumbline/schemes/tensors.hpp"
 
 namespace plumb {
 namespace {

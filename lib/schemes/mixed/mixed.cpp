@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "plumbline/schemes/blend.hpp"
-#include "plumbline/schemes/mixed/blocks.hpp"
-#include "plumbline/schemes/mixed/tensors.hpp"
+#include "plumbline/schemes/blocks.hpp"
+#include "plumbline/schemes/tensors.hpp"
 
 namespace plumb {
 
@@ -210,16 +210,6 @@ std::vector<Statement> Mixed<d>::account() const {
     said.push_back(
         {"reference", fmt::format("moves every {} steps", options_.update_every), "003 (49) to (52)"});
   return said;
-}
-
-template <int d>
-std::size_t Mixed<d>::bytes() const {
-  std::size_t sum =
-      bonds_.table.bytes() + F_.bytes() + G_.bytes() + P_.bytes() + stretch_.bytes() +
-      (bonds_.impedance.size() + bonds_.smoothing.size() + bonds_.reverse.size()) * sizeof(double);
-  State like = before_;
-  like.fields([&](const FieldInfo&, const Field& field) { sum += 3 * field.bytes(); });
-  return sum;
 }
 
 template class Mixed<1>;

@@ -14,7 +14,7 @@ namespace plumb {
 
 /// The scheme of paper 003 for the unknowns p, F, H and J: the adjoint force of corrected kernel sums,
 /// dissipation between pairs, three Runge-Kutta stages, and a reference that may be updated. THEORY, chapter
-/// 14. Its options make the variants of the paper and those that are better.
+/// 15. Its options make the variants of the paper and those that are better.
 template <int d>
 class Mixed {
  public:
@@ -45,7 +45,6 @@ class Mixed {
 
   const Cloud<d>& cloud() const { return specimen_.cloud; }
   const MixedBonds<d>& bonds() const { return bonds_; }
-  std::size_t bytes() const;
 
  private:
   Index slots() const { return bonds_.table.slots.count(); }

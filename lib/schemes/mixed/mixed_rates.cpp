@@ -1,5 +1,5 @@
 #include "plumbline/schemes/blend.hpp"
-#include "plumbline/schemes/mixed/blocks.hpp"
+#include "plumbline/schemes/blocks.hpp"
 #include "plumbline/schemes/mixed/mixed.hpp"
 #include "plumbline/schemes/mixed/smoothing.hpp"
 #include "plumbline/schemes/mixed/upwind_adjoint.hpp"
@@ -13,43 +13,6 @@ namespace {
 /// Largest c_p/c_s that the adjoint upwinding follows; beyond, nearly incompressible bodies lose their energy
 /// to it (nu = 0.495 has 10: a column in tension loses 71 % of its energy).
 constexpr double most_speed_ratio = 5;
-
-/// F (unless it is null) and the velocity gradient of one pack, with one reading of the constants.
-template <int d, int W>
-void both_gradients(const BondTable<d>& t, const Field& u, const Field& v, Index pack, Mat<d, Pack<W>>& F,
-                    Mat<d, Pack<W>>& G) {
-  using Real = Pack<W>;
-  const Index i = pack * W;
-  const Vec<d, Real> own_u = load_vector<d, W>(u, i), own_v = load_vector<d, W>(v, i);
-  for (int n = 0; n < d * d; ++n) {
-    F(n / d, n % d) = Real::load(t.identity.data() + (t.row[pack] * Index{d * d} + n) * W);
-    G(n / d, n % d) = Real(0);
-  }
-  for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
-    const Vec<d, Real> c = bond_vector<d, W>(t.stencil, n);
-    for (int a = 0; a < d; ++a) {
-      const Real du = Real::load(u[a] + j) - own_u[a], dv = Real::load(v[a] + j) - own_v[a];
-      for (int b = 0; b < d; ++b) {
-        F(a, b) += du * c[b];
-        G(a, b) += dv * c[b];
-      }
-    }
-  });
-}
-
-/// The velocity gradient alone.
-template <int d, int W>
-Mat<d, Pack<W>> velocity_gradient(const BondTable<d>& t, const Field& v, Index pack) {
-  using Real = Pack<W>;
-  const Vec<d, Real> own = load_vector<d, W>(v, pack * W);
-  Mat<d, Real> G = zero_tensor<d, Real>();
-  for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
-    Vec<d, Real> dv;
-    for (int k = 0; k < d; ++k) dv[k] = Real::load(v[k] + j) - own[k];
-    add_outer<d, Real>(G, dv, bond_vector<d, W>(t.stencil, n));
-  });
-  return G;
-}
 
 }  // namespace
 

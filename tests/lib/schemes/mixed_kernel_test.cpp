@@ -5,7 +5,7 @@
 
 #include "plumbline/core/error.hpp"
 #include "plumbline/gradient/each_bond.hpp"
-#include "plumbline/schemes/mixed/tensors.hpp"
+#include "plumbline/schemes/tensors.hpp"
 #include "tests/support/mixed.hpp"
 
 namespace plumb::testing {
@@ -104,6 +104,24 @@ TEST(MixedBonds, ReproduceLinearFieldsOnAnyCloud) {
     reproduces_linear_fields<2>(jittered<2>(cube<2>(7), 0.2, 3, Layout::node), volumes);
     reproduces_linear_fields<3>(jittered<3>(cube<3>(4), 0.2, 3, Layout::node), volumes);
   }
+}
+
+// The kernel is that of the neighbour: beside 1.8 stand 1 and 3, with h = .6 and .72.
+TEST(MixedBonds, KernelsAreThoseOfTheNeighbour) {
+  Cloud<1> chain = cube<1>(4);
+  const double X[] = {0, 1, 1.8, 3, 4};
+  for (Index p = 0; p < 5; ++p) chain.X[p][0] = X[p];
+  chain.spacing = 1;
+  chain.line = 0;
+  const MixedBonds<1> bonds = make_mixed_bonds<1>(chain, MixedOptions(), 1);
+  const double before = (1 - 0.8 / 1.2) / (0.6 * 0.6), after = (1 - 1.2 / 1.44) / (0.72 * 0.72);
+  const double moment = 0.8 * before + 1.2 * after;
+  int seen = 0;
+  for_each_bond(bonds.table, 2, [&](const BondEntry<1>& bond, const Vec<1>& separation) {
+    ++seen;
+    EXPECT_NEAR(bond.vector(bonds.table.stencil)[0], (separation[0] < 0 ? -before : after) / moment, 1e-14);
+  });
+  EXPECT_EQ(seen, 2);
 }
 
 // |C^Skew| of a chain: g = 1/(2d) inside, so that V_a g_ab - V_b g_ba is 1 per area.

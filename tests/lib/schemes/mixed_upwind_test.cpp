@@ -93,7 +93,7 @@ TEST(Upwinding, KeepsMomentumAndBooksItsHeat) {
 TEST(Upwinding, TheOtherJumpsTurnTheBody) {
   for (const char* upwind : {"constant", "reconstructed"}) {
     const Sums<2> s = sums<2>(upwind, "equal", false);
-    EXPECT_GT(std::abs(s.torque), 1e-4 * s.torque_scale) << upwind;
+    EXPECT_GT(std::abs(s.torque), 1e-5 * s.torque_scale) << upwind;
   }
 }
 
@@ -131,8 +131,8 @@ TEST(Upwinding, AReconstructedJumpIsZeroForFieldsLinearInTheReference) {
   Mat<2> G;
   G << 1, 2, -3, 0.5;
   for (std::size_t i = 0; i < cloud.X.size(); ++i) motion.v[i] = G * cloud.X[i];
-  EXPECT_LT(heat_of("reconstructed", motion, cloud), 1e-20 * rough);
-  EXPECT_GT(heat_of("adjoint", motion, cloud), 1e-6 * rough);  // it is linear in x only if u is
+  EXPECT_LT(heat_of("reconstructed", motion, cloud), 1e-14 * rough);  // a jump at round-off times dv
+  EXPECT_GT(heat_of("adjoint", motion, cloud), 1e-6 * rough);         // it is linear in x only if u is
 }
 
 // A chain at rest but for one particle: two pairs with rho c/(2d) each and a jump of 1 m/s.

@@ -1,8 +1,8 @@
 #pragma once
 #include <algorithm>
 
-#include "plumbline/schemes/mixed/gather.hpp"
-#include "plumbline/schemes/mixed/tensors.hpp"
+#include "plumbline/schemes/gather.hpp"
+#include "plumbline/schemes/tensors.hpp"
 #include "plumbline/solid/state.hpp"
 
 /// Loops over all slots of a table, block by block.
@@ -22,7 +22,7 @@ void for_blocks(const BondTable<d>& t, Use&& use) {
     use(Block{b * per_block, std::min((b + 1) * per_block, t.slots.packs()), t.width});
 }
 
-/// F = sum x_ab (x) c_ab of one pack, THEORY (14.1).
+/// F = sum x_ab (x) c_ab of one pack, THEORY (15.1).
 template <int d, int W>
 inline Mat<d, Pack<W>> gradient_of_positions(const BondTable<d>& t, const Field& u, Index pack) {
   using Real = Pack<W>;
@@ -38,7 +38,44 @@ inline Mat<d, Pack<W>> gradient_of_positions(const BondTable<d>& t, const Field&
   return F;
 }
 
-/// The same of every slot.
+/// F and the velocity gradient sum v_ab (x) c_ab of one pack, with one reading of the constants.
+template <int d, int W>
+inline void both_gradients(const BondTable<d>& t, const Field& u, const Field& v, Index pack,
+                           Mat<d, Pack<W>>& F, Mat<d, Pack<W>>& G) {
+  using Real = Pack<W>;
+  const Index i = pack * W;
+  const Vec<d, Real> own_u = load_vector<d, W>(u, i), own_v = load_vector<d, W>(v, i);
+  for (int n = 0; n < d * d; ++n) {
+    F(n / d, n % d) = Real::load(t.identity.data() + (t.row[pack] * Index{d * d} + n) * W);
+    G(n / d, n % d) = Real(0);
+  }
+  for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
+    const Vec<d, Real> c = bond_vector<d, W>(t.stencil, n);
+    for (int a = 0; a < d; ++a) {
+      const Real du = Real::load(u[a] + j) - own_u[a], dv = Real::load(v[a] + j) - own_v[a];
+      for (int b = 0; b < d; ++b) {
+        F(a, b) += du * c[b];
+        G(a, b) += dv * c[b];
+      }
+    }
+  });
+}
+
+/// The velocity gradient alone.
+template <int d, int W>
+inline Mat<d, Pack<W>> velocity_gradient(const BondTable<d>& t, const Field& v, Index pack) {
+  using Real = Pack<W>;
+  const Vec<d, Real> own = load_vector<d, W>(v, pack * W);
+  Mat<d, Real> G = zero_tensor<d, Real>();
+  for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
+    Vec<d, Real> dv;
+    for (int k = 0; k < d; ++k) dv[k] = Real::load(v[k] + j) - own[k];
+    add_outer<d, Real>(G, dv, bond_vector<d, W>(t.stencil, n));
+  });
+  return G;
+}
+
+/// F of every slot.
 template <int d>
 void gradients_of_positions(const BondTable<d>& t, const Field& u, Field& F);
 

@@ -1,4 +1,4 @@
-#include "plumbline/schemes/mixed/blocks.hpp"
+#include "plumbline/schemes/blocks.hpp"
 
 #include <cmath>
 #include <limits>
