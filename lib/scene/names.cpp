@@ -55,6 +55,10 @@ std::vector<std::string> momentum_names() {
 std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});
 }
+std::vector<std::string> paper_names() {
+  return {"000", "003"};
+}
+
 std::vector<std::string> scheme_names() {
   return {"tlsph", "implicit", "mixed"};
 }
@@ -110,7 +114,7 @@ std::vector<SceneChoice> scene_choices() {
           {"body.layout", "layout", layout_names()},
           {"material.model", "material", material_names()},
           {"material.plane", "plane", plane_names()},
-          {"method.paper", "paper", {"000"}},
+          {"method.paper", "paper", paper_names()},
           {"method.kernel", "kernel", kernel_names()},
           {"method.pair", "pair", pair_names()},
           {"method.gradient", "gradient", gradient_names()},

@@ -20,6 +20,7 @@ std::vector<std::string> start_table_names();
 /// The forms of the catalogue, and "variational" (the adjoint one, corrected).
 std::vector<std::string> momentum_names();
 std::vector<std::string> integrator_names();
+std::vector<std::string> paper_names();
 std::vector<std::string> scheme_names();
 std::vector<std::string> wave_speed_names();
 std::vector<std::string> material_names();

@@ -88,7 +88,7 @@ Method read_method_section(const Section& root, const Body& body) {
   const auto section = root.optional_section("method");
   if (!section) return method;
   if (section->has("paper")) {
-    method.paper = section->choice_or("paper", "000", {"000", "003"});
+    method.paper = section->choice_or("paper", "000", paper_names());
     set_paper(method);
   }
   method.scheme = section->choice_or("scheme", method.scheme, scheme_names());

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <complex>
+#include <stdexcept>
 
 namespace plumb {
 namespace {
@@ -30,13 +31,20 @@ struct ComplexPairs {
   MatrixXcd vectors;
 };
 
+/// An iteration that ended too early leaves numbers that mean nothing.
+void require_converged(Eigen::ComputationInfo info) {
+  if (info != Eigen::Success) throw std::runtime_error("the eigenvalues of a matrix did not converge");
+}
+
 ComplexPairs all_pairs(const MatrixXd& matrix, bool symmetric) {
   if (symmetric) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 * (matrix + matrix.transpose()));
+    require_converged(solver.info());
     return {solver.eigenvalues().cast<std::complex<double>>(),
             solver.eigenvectors().cast<std::complex<double>>()};
   }
   const Eigen::EigenSolver<MatrixXd> solver(matrix);
+  require_converged(solver.info());
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

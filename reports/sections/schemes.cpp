@@ -37,7 +37,8 @@ Figure cost_figure(const Results& results, const std::vector<Refinement>& scheme
   std::vector<std::string> jobs;
   for (const auto& scheme : schemes) {
     Series series{scheme.name, {}, {}};
-    for (const auto& level : results.json(scheme.id).at("levels")) {
+    const Json levels = results.json(scheme.id).at("levels");
+    for (const auto& level : levels) {
       if (level.at("relative_l2").is_null()) continue;
       series.x.push_back(number(level, "cpu_s"));
       series.y.push_back(number(level, "relative_l2"));

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 
+#include "plumbline/core/field.hpp"
 #include "plumbline/schemes/scheme.hpp"
 
 using plumb::Field, plumb::Index, plumb::Role;

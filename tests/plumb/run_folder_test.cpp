@@ -69,7 +69,7 @@ TEST_F(RunFolder, EverySignalEndsARunInOrderWithItsCode) {
     const auto outcome = endless_until(std::string("kill -") + signal + " $run; wait $run");
     EXPECT_EQ(outcome.code, code) << signal << ": " << outcome.error;
     EXPECT_EQ(scene_.summary("out")["status"], "interrupted") << signal;
-    EXPECT_GT(read_checkpoint(scene_.file("out", "checkpoint.h5")).step, 0) << signal;
+    EXPECT_GT(read_checkpoint(scene_.file("out", "checkpoint.h5")).state.now.step, 0) << signal;
     std::filesystem::remove_all(scene_.file("out", ""));
   }
 }

@@ -13,7 +13,7 @@ namespace {
 MixedOptions read(const std::string& keys) {
   const TomlValue document = parse_document("[mixed]\n" + keys, "a.toml");
   const Section section(*document.find("mixed"), "mixed");
-  const MixedOptions options = MixedOptions::read(section);
+  const MixedOptions options = MixedOptions::read(section, {});
   section.reject_unknown();
   return options;
 }
@@ -102,11 +102,14 @@ TEST(MixedScheme, LawsThatAreNotOfFHAndJAreRefusedWhereTheseEvolve) {
 TEST(MixedScheme, TheAccountSaysWhatIsChosen) {
   MixedOptions o;
   o.option = 3;
-  const auto said = mixed_body(cube<2>(3), o).account();
-  ASSERT_GE(said.size(), 4U);
+  const auto body = mixed_body(cube<2>(3), o);
+  const auto said = body.account();
+  ASSERT_EQ(said.size(), 4U);
   EXPECT_TRUE(contains(said[0].text, "equal volumes, H = cof F, J = det F, upwinding adjoint"));
   EXPECT_TRUE(contains(said[1].text, "at most 8 neighbours"));
-  EXPECT_TRUE(contains(said.back().text, "smooth_positions"));
+  EXPECT_EQ(said.back().topic, "reference");
+  ASSERT_EQ(body.warnings().size(), 1U);
+  EXPECT_TRUE(contains(body.warnings()[0], "smooth_positions"));
 }
 
 }  // namespace
