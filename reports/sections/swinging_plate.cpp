@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "reports/checks.hpp"
@@ -115,6 +116,13 @@ std::vector<Figure> figures(const Results& results) {
                "is exact here too.")};
 }
 
+/// The picture that shows the study.
+std::string figure_of(const std::vector<Figure>& all, const std::string& job) {
+  for (const auto& figure : all)
+    if (std::find(figure.jobs.begin(), figure.jobs.end(), job) != figure.jobs.end()) return figure.id;
+  throw MissingResult("no picture shows " + job);
+}
+
 Section write(const Results& results) {
   Section s;
   s.question = "Does the displacement of the swinging plate converge with second order?";
@@ -128,8 +136,7 @@ Section write(const Results& results) {
     const Json result = results.json(v.id);
     s.checks.push_back(study_check("L₂ order, " + v.name, result, "l2"));
     s.checks.back().job = v.id;
-    add_fits(s.tables[0], v.name, v.id, result,
-             v.id == "plate-printed" || v.id == "plate-forced" ? "plate-floor" : "plate-schemes");
+    add_fits(s.tables[0], v.name, v.id, result, figure_of(s.figures, v.id));
     add_levels(s.tables[1], v.name, v.id, result);
     if (v.id == "plate-printed") {
       printed = s.checks.back().verdict;

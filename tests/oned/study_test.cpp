@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "oned/account.hpp"
 #include "oned/explorer.hpp"
@@ -113,6 +115,37 @@ TEST(Account, SentencesOfSection41) {
       {"4.1, Figure 6a", Holds::partly}, {"4.1, Figure 6b", Holds::partly}, {"4.1", Holds::no},
       {"4.1, Figure 6", Holds::partly},  {"4.1, Figure 6", Holds::no},      {"4.1, Figure 6", Holds::partly}};
   EXPECT_EQ(found, expected);
+}
+
+/// Cubic kernel of support 1 m at the end of 2 m of 200 cells, summed up here; W0 = W/S with its derivative.
+TEST(Account, NumbersOfSection22) {
+  constexpr double dx = 0.01, h = 0.5;
+  double S = 0, dS = 0;
+  std::vector<std::array<double, 3>> all;  // X, W, dW by the point of evaluation
+  for (int i = 0; i < 200; ++i) {
+    const double X = (i + 0.5) * dx, q = X / h, scale = 2 / (3 * h);
+    if (q >= 2) continue;
+    const double W = scale * (q < 1 ? 1 - 1.5 * q * q + 0.75 * q * q * q : 0.25 * std::pow(2 - q, 3));
+    const double dW = -scale / h * (q < 1 ? -3 * q + 2.25 * q * q : -0.75 * std::pow(2 - q, 2));
+    all.push_back({X, W, dW});
+    S += dx * W;
+    dS += dx * dW;
+  }
+  double first = 0;
+  for (const auto& [X, W, dW] : all) first += dx * X * (dW * S - W * dS) / (S * S);
+  const auto sentences = account();
+  const auto measured = [&](std::size_t sentence, const std::string& name) {
+    for (const auto& [key, number] : sentences.at(sentence).measured)
+      if (key == name) return number;
+    ADD_FAILURE() << name;
+    return 0.0;
+  };
+  EXPECT_NEAR(measured(0, "sum V W at x = 0"), S, 1e-13);
+  EXPECT_NEAR(measured(0, "sum V W0 at x = 0"), 1, 1e-13);
+  EXPECT_NEAR(measured(0, "sum V W1 at x = 0"), 1, 1e-13);
+  EXPECT_NEAR(measured(1, "sum V grad W0 at x = 0 [1/m]"), 0, 1e-12);
+  EXPECT_NEAR(measured(1, "sum V X grad W0 at x = 0"), first, 1e-12);
+  EXPECT_NEAR(first, 0.377717, 1e-6);
 }
 
 }  // namespace

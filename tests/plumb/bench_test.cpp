@@ -1,6 +1,8 @@
 // `plumb bench`: its numbers depend on the machine, its counts do not.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -36,6 +38,49 @@ TEST(Bench, HoldsWholeRunsAgainstTheMachine) {
   EXPECT_EQ(result["exponents"].size(), 2U);
   EXPECT_EQ(result["setup_exponents"].size(), 2U);
   EXPECT_EQ(result["speed_ups"].size(), 4U);
+}
+
+/// What is made of the measured numbers, made once more.
+TEST(Bench, SharesSpeedUpsAndExponentsAreThoseOfTheRows) {
+  const json result = bench("--case adjoint-verlet-3d,paper-2d --n 1000,8000 --cores 1,2 --repeats 1");
+  const auto of = [](const json& row, const char* key) { return row[key].get<double>(); };
+  const auto near = [](double found, double expected) {
+    EXPECT_NEAR(found, expected, 1e-10 * std::abs(expected));  // sums of logarithms cancel
+  };
+  std::map<int, json> machine;
+  for (const json& m : result["machine"]["by_threads"]) {
+    machine[m["threads"]] = m;
+    near(of(m, "fma_speed_up"), of(m, "fma_gflops") / of(result["machine"], "fma_gflops"));
+    near(of(m, "triad_speed_up"), of(m, "triad_gbs") / of(result["machine"], "triad_gbs"));
+  }
+  std::map<std::string, std::map<int, std::map<int, json>>> rows;
+  for (const json& row : result["rows"]) {
+    rows[row["case"]][row["threads"]][row["n"]] = row;
+    const double speed = of(row, "updates_per_wall_s");
+    const json& limits = machine.at(row["threads"]);
+    near(of(row, "fraction_of_fma"), speed * of(row, "flops_per_update") / (1e9 * of(limits, "fma_gflops")));
+    near(of(row, "fraction_of_triad"), speed * of(row, "bytes_per_update") / (1e9 * of(limits, "triad_gbs")));
+    // n (d + 4 d^2) for up to 26 neighbours in 3D, 8 in 2D, fewer at the surface
+    const bool plane = row["dimension"] == 2;
+    const double neighbours = of(row, "flops_per_update") / (plane ? 18 : 39);
+    EXPECT_LT(neighbours, plane ? 8 : 26);
+    EXPECT_GT(neighbours, plane ? 7 : 18);
+  }
+  for (const auto& [name, all] : rows) {
+    const json &few = all.at(1).begin()->second, &many = all.at(1).rbegin()->second;
+    const auto slope = [&](double small, double large) {
+      return std::log(large / small) / std::log(of(many, "n") / of(few, "n"));
+    };
+    near(result["exponents"][name],
+         slope(of(few, "n") / of(few, "updates_per_cpu_s"), of(many, "n") / of(many, "updates_per_cpu_s")));
+    near(result["setup_exponents"][name], slope(of(few, "setup_cpu_s"), of(many, "setup_cpu_s")));
+  }
+  for (const json& gain : result["speed_ups"]) {
+    const auto& all = rows.at(gain["case"]);
+    EXPECT_EQ(gain["threads"], 2);
+    near(of(gain, "speed_up"), of(all.at(2).at(gain["n"]), "updates_per_wall_s") /
+                                   of(all.at(1).at(gain["n"]), "updates_per_wall_s"));
+  }
 }
 
 TEST(Bench, CountsTheTablesOfIrregularClouds) {

@@ -17,8 +17,8 @@ const std::string root = PLUMBLINE_SOURCE_DIR, plumb = PLUMB_EXECUTABLE;
 
 /// Runs the call and ends it by Ctrl-C as soon as it has finished `count` files whose names hold the text.
 test::Outcome interrupted_at(const std::string& file, int count, const std::string& call) {
-  return run_shell("PLUMB_TEST_INTERRUPT_AT=" + file + " PLUMB_TEST_INTERRUPT_COUNT=" + std::to_string(count) +
-                   " LD_PRELOAD=" INTERRUPT_AT " " + call);
+  return run_shell("PLUMB_TEST_INTERRUPT_AT=" + file + " PLUMB_TEST_INTERRUPT_COUNT=" +
+                   std::to_string(count) + " LD_PRELOAD=" INTERRUPT_AT " " + call);
 }
 
 /// The result without what depends on the clock, the machine and the command line.

@@ -107,6 +107,17 @@ TEST(List, SaysOfEveryNameWhatItMeans) {
   for (const auto& part : list()["parts"]) EXPECT_NE(part["meaning"], "") << part;
 }
 
+TEST(List, ShowsTheScenesWithWhatTheyShow) {
+  const json listed = json::parse(test::run_plumb("list --json -").out);
+  const std::string text = test::run_plumb("list").out;
+  ASSERT_GT(listed["scenes"].size(), 5u);
+  for (const json& one : listed["scenes"]) {
+    const std::string name = one["name"], shows = one["shows"];
+    EXPECT_NE(text.find("\n  " + name + "\n      "), std::string::npos) << name;
+    EXPECT_NE(text.find(shows.substr(0, shows.find(' ', 10))), std::string::npos) << shows;
+  }
+}
+
 TEST(List, FitsATerminalOf80Columns) {
   for (const char* command : {"list", "claims", "faults",
                               "explain " PLUMBLINE_SOURCE_DIR "/verification/scenes/bending-column.toml"}) {

@@ -5,14 +5,14 @@
 #include <set>
 
 #include "reports/named.hpp"
-#include "reports/report.hpp"
-#include "tests/reports/invented.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/reports/invented_report.hpp"
 
 namespace {
 
 using namespace plumb::reports;
+using plumb::test::InventedReport;
 using plumb::test::Invention;
+using plumb::test::near;
 using plumb::test::Origin;
 using plumb::test::Words;
 
@@ -73,54 +73,6 @@ bool may_show(const std::string& label, const std::string& column, const Words& 
   return false;
 }
 
-bool near(double a, double b) {
-  return std::abs(a - b) <= 1e-12 * std::abs(b);
-}
-
-/// Words of titles and names, and what they claim of the study or row they come from.
-struct Claim {
-  std::string words, key, value;
-};
-const std::vector<Claim> claims{
-    {"W0", "pair", "W0"},
-    {"W1", "pair", "W1"},
-    {"W0", "--pair", "W0"},
-    {"W1", "--pair", "W1"},
-    {"W0", "method.pair", "W0"},
-    {"W1", "method.pair", "W1"},
-    {"standard", "estimator", "standard"},
-    {"improved", "estimator", "improved"},
-    {"bond", "estimator", "bond"},
-    {"standard", "method.gradient", "standard"},
-    {"improved", "method.gradient", "improved"},
-    {"adjoint", "method.momentum", "adjoint"},
-    {"symmetrised", "method.momentum", "symmetrised"},
-    {"variational", "method.momentum", "variational"},
-    {"Verlet", "method.integrator", "verlet"},
-    {"RK3", "method.integrator", "rk3"},
-    {"U = 0.01 m", "study.parameters.amplitude", "0.01"},
-    {"U = 0.2 m", "study.parameters.amplitude", "0.2"},
-    {"A = 0.2 m", "study.parameters.amplitude", "0.2"},
-    {"β = 0.6", "method.beta", "0.6"},
-    {"β = 0.9", "method.beta", "0.9"},
-    {"β = 1.2", "method.beta", "1.2"},
-    {"β = 1.5", "method.beta", "1.5"},
-    {"X² + 1", "field", "poly:1,0,1"},
-    {"X³ + 1", "field", "poly:1,0,0,1"},
-    {"sin 5X", "field", "sin:5"},
-    {"R/Δx fixed", "--radius-over-dx", "4"},
-    {"R = 4Δx", "--radius-over-dx", "4"},
-    {"R = 1.8Δx", "--radius-over-dx", "1.8"},
-    {"x = 1 m", "--at", "1"},
-    {"x = 0", "--at", "0"},
-    {"jitter 0.3", "body.jitter", "0.3"},
-    {"exact band", "study.held_band", "0.4"},
-    {"outer particles held", "study.held_band", "0"},
-    {"cell, ", "body.layout", "cell"},
-    {"Jitter 0.2", "body.jitter", "0.2"},
-    {"jitter 0.2", "body.jitter", "0.2"},
-};
-
 /// Where a drawn number comes from: as it is, scaled to another unit, or against the first of a column.
 class Lookup {
  public:
@@ -159,39 +111,8 @@ class Lookup {
   std::vector<double> references_;
 };
 
-class Drawn : public ::testing::Test {
+class Drawn : public InventedReport {
  protected:
-  void SetUp() override {
-    for (auto& plan : section_plans(false)) {
-      // text only, or maps of categories
-      for (const char* other : {"account", "claims", "faults", "bad-input", "stability-maps"})
-        if (plan.id == other) plan.jobs.clear();
-      if (plan.jobs.empty()) continue;
-      for (const auto& job : plan.jobs) {
-        invention.add(job);
-        calls[job.id] = plumb::test::words_of(job);
-      }
-      sections[plan.id] = plan.write(invention.results);
-    }
-  }
-
-  /// Everything that is known of a number: the call, the row, the column.
-  Words facts_of(const Origin& origin) const {
-    Words facts = calls.at(origin.row->job);
-    for (const auto& [key, value] : origin.row->words) facts[key] = value;
-    return facts;
-  }
-
-  void check_claims(const std::string& text, const Words& facts, const std::string& where) const {
-    for (const Claim& claim : claims) {
-      const auto fact = facts.find(claim.key);
-      if (text.find(claim.words) == std::string::npos || fact == facts.end()) continue;
-      if (fact->second.find(',') != std::string::npos && !fact->second.starts_with("poly"))
-        continue;  // several
-      EXPECT_EQ(fact->second, claim.value) << where << ": \"" << text << "\" shows " << claim.key;
-    }
-  }
-
   void check_point(const Figure& figure, const Series& series, std::size_t k, const Lookup& lookup) const {
     const std::string where = figure.id + ", " + series.label;
     const Origin* origin = lookup.find(series.y[k], [&](const Origin& o) {
@@ -244,11 +165,6 @@ class Drawn : public ::testing::Test {
         EXPECT_NE((" " + label + ":").find(word->second), std::string::npos) << where << ": " << word->second;
       }
   }
-
-  plumb::test::TemporaryFolder folder;
-  Invention invention{folder.path()};
-  std::map<std::string, Words> calls;
-  std::map<std::string, Section> sections;
 };
 
 /// Lines that are no numbers of a study: the exact answer, speeds of other codes, and differences of two runs
@@ -316,6 +232,24 @@ TEST_F(Drawn, EdgesShowEveryTreatmentOnce) {
       EXPECT_EQ(calls.at(job).at("study.parameters.amplitude"), amplitude);
     }
   }
+}
+
+/// The front of a cost holds the points that the study says are on it: invented ones of d = 0.1 m by CPU
+/// time, of d = 0.2 m by work.
+TEST_F(Drawn, FrontsAreThoseOfTheirCost) {
+  std::size_t fronts = 0;
+  for (const auto& figure : sections.at("work").figures) {
+    const Series front = by_label(figure.picture.series, "Pareto front");
+    const double spacing = figure.id.ends_with("-cpu") ? 0.1 : 0.2;
+    std::set<double> shown(front.y.begin(), front.y.end()), expected;
+    for (const auto& [value, origin] : invention.origins)
+      if (origin.column == "error" && origin.row->job == figure.jobs.at(0) &&
+          origin.row->numbers.at("d") == spacing)
+        expected.insert(value);
+    EXPECT_EQ(shown, expected) << figure.id;
+    fronts += expected.empty() ? 0 : 1;
+  }
+  EXPECT_EQ(fronts, 6u);
 }
 
 /// Every drawn body has one number that is held against theory or an independent solution.

@@ -168,6 +168,9 @@ TEST(Page, NumbersHaveAsManyDigitsAsTheyAreWorth) {
   EXPECT_EQ(number_text(123.45, 2), "123");
   EXPECT_EQ(number_text(-0.0123456, 3), "-0.0123");
   EXPECT_EQ(number_text(0, 3), "0");
+  EXPECT_EQ(number_text(64000.4, 0), "64000");  // a count
+  EXPECT_EQ(number_text(64000, 1), "64000");
+  EXPECT_EQ(number_text(0.012, 1), "0.01");
   EXPECT_EQ(number_text(1.5e12, 2), "1.5·10¹²");
 }
 

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "plumbline/core/error.hpp"
+#include "reports/plot/check.hpp"
+#include "reports/plot/prepare.hpp"
 
 namespace {
 
@@ -173,6 +175,27 @@ TEST(Picture, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(svg(map), InputError);
   map.map = CategoryMap{{0, 1}, {0}, {0, 1}, {"stable"}};
   EXPECT_THROW(svg(map), InputError);
+}
+
+TEST(Picture, CellsOfAMapEndHalfwayOnTheAxisAsDrawn) {
+  EXPECT_EQ(plot::cell_borders({1, 2, 4, 5}, false), (std::vector<double>{0.5, 1.5, 3, 4.5, 5.5}));
+  const std::vector<double> logarithmic = plot::cell_borders({1, 4, 64}, true), expected{0.5, 2, 16, 256};
+  ASSERT_EQ(logarithmic.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(logarithmic[k], expected[k], 1e-12 * expected[k]);
+}
+
+TEST(Picture, SizesAreTakenUpToTheirLimits) {
+  const auto made = [](int width, int height) {
+    Picture p = convergence();
+    p.width = width;
+    p.height = height;
+    return message([&] { plot::check(p); });
+  };
+  for (const auto& [width, height] : {std::pair(200, 150), {8000, 8000}, {200, 8000}})
+    EXPECT_EQ(made(width, height), "no error");
+  for (const auto& [width, height] : {std::pair(199, 150), {200, 149}, {8001, 150}, {200, 8001}})
+    EXPECT_NE(made(width, height), "no error") << width << ' ' << height;
 }
 
 TEST(Picture, MapsShowTheirNamesAndUnits) {

@@ -57,6 +57,35 @@ TEST(Studies, AnIntervalThatDoesNotExistIsNotPrinted) {
   EXPECT_EQ(study_check("", two, "l2").measured, "no order can be fitted");
 }
 
+// The geometric means of the levels are x = 1/4 and y = 1/16; orders from 1 to 3 through them.
+TEST(Studies, TheIntervalIsABandOfPowersThroughTheMiddle) {
+  Series series{"a", {1.0 / 8, 0.5, 0.25, 1.0 / 64}, {1.0 / 64, 0.25, 1.0 / 16, 7}};
+  add_interval(series, study(2, 1, 3, 3, "pass"), "l2");
+  ASSERT_TRUE(series.band.has_value());
+  const double low[] = {1.0 / 128, 1.0 / 8, 1.0 / 16, 7}, high[] = {1.0 / 32, 1.0 / 2, 1.0 / 16, 7};
+  for (std::size_t k = 0; k < 4; ++k) {  // the finest level was not fitted
+    EXPECT_NEAR(series.band->low[k], low[k], 1e-12 * low[k]) << k;
+    EXPECT_NEAR(series.band->high[k], high[k], 1e-12 * high[k]) << k;
+  }
+  Series wide{"a", {0.5, 0.25, 0.125}, {0.25, 0.0625, 0.015625}};
+  add_interval(wide, study(2, 0.9, 3, 3, "pass"), "l2");
+  EXPECT_FALSE(wide.band.has_value()) << "wider than 2 says nothing";
+}
+
+TEST(Studies, OrdersOutsideOfThePictureAreCutOff) {
+  DataTable fits = fits_table("fits", "Fits", {});
+  add_fits(fits, "a", "job", study(7, 6, 8, 4, "above"), "figure");
+  const Figure figure = orders_figure("orders", "Orders", fits, "l2");
+  EXPECT_EQ(figure.picture.x.max, 5.0);
+  EXPECT_EQ(figure.picture.x.min, -0.1);
+  EXPECT_EQ(figure.picture.height, 130);
+  const auto& rows = std::get<Intervals>(figure.picture.map);
+  EXPECT_EQ(rows.value, std::vector{7.0});
+  EXPECT_EQ(rows.low, std::vector{6.0});
+  EXPECT_EQ(rows.high, std::vector{8.0});
+  EXPECT_EQ(rows.expected, std::vector{2.0});
+}
+
 TEST(Studies, LevelsHaveRelativeErrorsFirstAndUnitsOfIntegrals) {
   DataTable table = levels_table("levels", "Levels", {});
   add_levels(table, "a", "job", study(2, 1.9, 2.1, 4, "pass"));

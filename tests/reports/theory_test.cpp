@@ -68,6 +68,13 @@ TEST(MathML, LowersRaisesAndNames) {
   EXPECT_NE(theory::mathml("zero at r = 0").find("<mtext>zero</mtext>"), std::string::npos);
 }
 
+TEST(MathML, NumbersEndWhereTheyEnd) {
+  EXPECT_NE(theory::mathml("2.5 a").find("<mn>2.5</mn>"), std::string::npos);
+  EXPECT_NE(theory::mathml("2(3)").find("<mn>2</mn>"), std::string::npos);
+  EXPECT_NE(theory::mathml("a = 1. 2").find("<mn>1</mn>"), std::string::npos);
+  EXPECT_NE(theory::mathml("1e-3 a").find("<mn>1e-3</mn>"), std::string::npos);
+}
+
 TEST(Theory, EveryEquationHasItsPlaceAndThePageIsWellFormed) {
   const std::string page = theory::page();
   std::istringstream in("<page>" + page + "</page>");

@@ -12,8 +12,9 @@ namespace plumb {
 /// What values on several grids say about their limit, for people and as JSON.
 struct Extrapolated {
   std::string text;
-  /// {"behaviour", "order", "limit", "gci", "gci_absolute", "asymptotic_ratio", "safety", "least_squares",
-  /// "uncertainty", "status"}.
+  /// {"behaviour", "order", "limit", "gci", "gci_absolute", "gci_fine", "gci_coarse",
+  /// "asymptotic_ratio", "safety", "least_squares", "uncertainty", "status"}. gci_fine and gci_coarse are the
+  /// first two of gci_absolute.
   nlohmann::ordered_json json;
   std::string_view status;  ///< "pass" if the three finest grids have a limit, "inconclusive" or "fail" else
 };

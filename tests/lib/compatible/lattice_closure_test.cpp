@@ -288,6 +288,12 @@ TEST(LatticeClosure, IsNotKnownForOtherClouds) {
   EXPECT_NE(reason_against_closure<2>(node, 3.001 * d), std::nullopt);
   EXPECT_NE(reason_against_closure<2>(test::small_lattice<2>(Layout::cell), 1.8 * d), std::nullopt);
   EXPECT_NE(reason_against_closure<2>(jittered<2>(node, 0.1, 1, Layout::node), 1.8 * d), std::nullopt);
+  Cloud<2> low = node, high = node;  // particles on one of two opposite faces only
+  low.box.origin[0] -= 0.5 * d;
+  low.box.size[0] += 0.5 * d;
+  high.box.size[1] += 0.5 * d;
+  EXPECT_NE(reason_against_closure<2>(low, 1.8 * d), std::nullopt);
+  EXPECT_NE(reason_against_closure<2>(high, 1.8 * d), std::nullopt);
   Cloud<2> bitten = node;
   bitten.X.pop_back();
   EXPECT_NE(reason_against_closure<2>(bitten, 1.8 * d), std::nullopt);

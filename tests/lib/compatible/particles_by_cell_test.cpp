@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <random>
 #include <set>
@@ -45,6 +46,22 @@ class ParticlesInCells : public ::testing::Test {
 using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
                                     std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ParticlesInCells, Dimensions);
+
+TYPED_TEST(ParticlesInCells, ABlockIsOfCellsThatLieTogether) {
+  std::set<std::array<Index, TestFixture::d>> blocks;
+  for (std::size_t b = 0; b + 1 < this->by.block_begin.size(); ++b) {
+    std::set<std::array<Index, TestFixture::d>> here;
+    for (Index cell = this->by.block_begin[b]; cell < this->by.block_begin[b + 1]; ++cell) {
+      const auto at =
+          splines_at<TestFixture::d>(this->grid, this->X[this->by.particles[this->by.begin[cell]]]).cell;
+      std::array<Index, TestFixture::d> block{};
+      for (int k = 0; k < TestFixture::d; ++k) block[k] = at[k] / 4;
+      here.insert(block);
+    }
+    EXPECT_EQ(here.size(), 1u);
+    EXPECT_TRUE(blocks.insert(*here.begin()).second) << "a block twice";
+  }
+}
 
 TYPED_TEST(ParticlesInCells, EveryParticleIsInItsCellOnce) {
   std::vector<int> times(this->X.size(), 0);

@@ -54,6 +54,15 @@ TEST_F(Sittings, OnlyWhatIsMissingIsMade) {
   EXPECT_FALSE(fs::exists(folder_ / "kept")) << "a whole study leaves nothing behind";
 }
 
+TEST_F(Sittings, NothingIsToldOfAnUnknownAmountOfWork) {
+  Sitting next = sitting();
+  int told = 0;
+  next.tell(
+      0, [&told](double, const std::string&) { ++told; }, "steps");
+  parts(next, 9);
+  EXPECT_EQ(told, 0);
+}
+
 TEST_F(Sittings, PartsOfAnotherStudyAreNotTaken) {
   Sitting other = sitting("another study");
   parts(other, 9);

@@ -155,6 +155,30 @@ TEST(Projection, ChangesForcesByARigidRotationField) {
   expect_least_change<3>();
 }
 
+/// A force field of any kind, on more particles than one part of the sums holds.
+TEST(Projection, TakesResultantAndTorqueAwayFromAnyField) {
+  const Solid<2> solid = rubber_block<2>(100, Layout::cell, 0.2);
+  const State<2> state = make_state(solid);
+  const Slots& slots = solid.bonds.slots;
+  Field force = state.v;
+  std::vector<Vec<2>> f;
+  double size = 0;
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Vec<2>& X = solid.cloud.X[i];
+    f.emplace_back(3 + std::sin(5 * X[0]) + X[1], X[0] * X[1] - 2);
+    set_vector<2>(force, slots.of(i), f.back());
+    size += solid.cloud.V[i] * f.back().norm();
+  }
+  angular_momentum_projection(solid).whole(solid, state, {}, force);
+  Vec<2> resultant = Vec<2>::Zero();
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    f[i] = vector_at<2>(force, slots.of(i));
+    resultant += solid.cloud.V[i] * f[i];
+  }
+  EXPECT_LT(resultant.norm(), 1e-12 * size);
+  EXPECT_LT(torque(solid, state, f).norm(), 1e-12 * size);  // arms are about 1 m
+}
+
 TEST(Projection, LeavesForcesWithoutTorqueAlone) {
   Solid<2> plain = rubber_block<2>(10, Layout::node, 0.2), projected = rubber_block<2>(10, Layout::node, 0.2);
   add_term(projected, angular_momentum_projection(projected));

@@ -50,13 +50,17 @@ std::string sample_line(const Json& row, const std::string& name) {
 
 void tell_sample(std::ostream& text, const Json& sample) {
   const Json& all = sample.at("all");
-  text << fmt::format(
-      "\nA random sample of small slips in the sources, at commit {} (seed {}; {} drawn, {} do not compile, "
-      "{} "
-      "equivalent); shares with 95 % intervals:\n",
+  const std::string drawn = fmt::format(
+      "A random sample of small slips in the sources, at commit {} (seed {}; {} drawn, {} do not compile, {} "
+      "equivalent); shares with 95 % intervals:",
       sample.at("commit").get<std::string>(), sample.at("seed").get<long>(), all.at("sampled").get<int>(),
       all.at("not_compiled").get<int>(), all.at("equivalent").get<int>());
+  text << '\n' << wrapped(drawn, static_cast<std::size_t>(terminal_columns(1)), 0, 0) << '\n';
   text << sample_line(all, "in all");
+  text << fmt::format("before tests were written for it: {:.1f} % [{:.1f}, {:.1f}]\n",
+                      100 * all.at("share_at_first").get<double>(),
+                      100 * all.at("interval_at_first").at(0).get<double>(),
+                      100 * all.at("interval_at_first").at(1).get<double>());
   for (const auto& row : sample.at("folders")) text << sample_line(row, row.at("folder").get<std::string>());
 }
 

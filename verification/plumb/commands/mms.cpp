@@ -82,7 +82,23 @@ auto in_one_sitting(const Session& session, const MmsOptions& options, const std
   return plumb::in_one_sitting(session, options.sitting, options.studies, choices, work);
 }
 
+/// A study file serves both kinds of refinement, and what it says of the other one is announced. What the
+/// call itself asks for is used or refused.
+void require_used_by_temporal(const std::vector<std::string>& overrides) {
+  for (const std::string& change : overrides) {
+    const std::string key = change.substr(0, change.find('='));
+    if (key == "method.integrator")
+      throw InputError("--temporal with --set " + change,
+                       "every integrator is run, each against its own order in time", "leave it out");
+    if (key.starts_with("expect"))
+      throw InputError("--temporal with --set " + change,
+                       "[expect] declares orders in space, and an integrator declares its own in time",
+                       "leave it out");
+  }
+}
+
 int temporal(const Session& session, const MmsOptions& options) {
+  require_used_by_temporal(options.overrides);
   const Study study = read_study(options.studies.front(), options.overrides, solution_names());
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "temporal", [&](Sitting& sitting) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -63,7 +64,8 @@ reports::Picture picture_of(const Study& study, const Json& levels, const mms::O
       series.x.push_back(level.at("d").get<double>());
       series.y.push_back(level.at(key_of(fit.name, fit.part)).get<double>());
     }
-    picture.series.push_back(series);
+    const auto positive = [](double y) { return y > 0; };  // an operator that is exact has no logarithm
+    if (std::any_of(series.y.begin(), series.y.end(), positive)) picture.series.push_back(series);
   }
   return picture;
 }
