@@ -1,6 +1,7 @@
 #include "plumbline/scene/implicit_as_simulation.hpp"
 
-#include "plumbline/schemes/implicit/equilibrium.hpp"
+#include "plumbline/schemes/implicit/load_path.hpp"
+#include "plumbline/schemes/implicit/midpoint.hpp"
 
 namespace plumb {
 namespace {
@@ -11,41 +12,99 @@ struct Way {
   std::shared_ptr<TlsphSimulation<d>> body;
   double end_time;
   ImplicitOptions options;
-  std::optional<EquilibriumPath<d>> path;
-  double length = 0;  ///< of the next step, as a share of the whole
+  std::optional<LoadPath<d>> path;
+  double restored_step = 0;  ///< [s]: the load step that an earlier part of the run would have tried; 0: none
 
-  EquilibriumPath<d>& gone() {
+  LoadPath<d>& load_path() {
     if (!path) {
       path.emplace(body->solid, body->actions, end_time, options, body->state);
-      if (length > 0) path->set_length(length);
+      if (restored_step > 0) path->set_next_step(restored_step);
     }
     return *path;
   }
 };
 
-Failure failure_of(const StaticFailure& failed, const Moment& now) {
-  const bool inverted = failed.cause == "inverted";
-  const Cause cause = inverted                       ? Cause::inverted
-                      : failed.cause == "non-finite" ? Cause::non_finite
-                                                     : Cause::no_convergence;
-  const double residual = failed.residuals.empty() ? 0 : failed.residuals.back();
-  return {now.time,
-          now.step,
-          cause,
-          inverted ? failed.particle.particle : -1,
-          inverted ? failed.particle.determinant : residual,
-          inverted                        ? "J = det F"
-          : failed.cause == "limit-point" ? "stiffness not positive (a limit point); residual"
-                                          : "residual over forces"};
+Failure no_equilibrium(const StaticFailure& failed, const Moment& now) {
+  if (failed.cause == "inverted")
+    return {now.time,   now.step, Cause::inverted, failed.particle.particle, failed.particle.determinant,
+            "J = det F"};
+  const Cause cause = failed.cause == "non-finite" ? Cause::non_finite : Cause::no_convergence;
+  const std::string what = failed.cause == "limit-point" ? "beyond a limit point; residual" : "residual";
+  return {now.time, now.step, cause, -1, failed.residuals.back(), what + " over the forces"};
+}
+
+Failure no_step(const NewtonResult& search, const UnsoundParticle& unsound, const Moment& now) {
+  if (search.end == NewtonEnd::inverted)
+    return {now.time, now.step, Cause::inverted, unsound.particle, unsound.determinant, "J = det F"};
+  return {now.time, now.step, Cause::no_convergence, -1, search.residuals.back(), "residual over the forces"};
 }
 
 void refuse_what_it_has_not(const Scene& scene) {
   if (!scene.end_time)
     throw InputError("scheme = \"implicit\" needs end_time", "loads are brought on in the time until then",
                      "add end_time = \"1 s\" to [scene]");
+  if (scene.method.implicit.midpoint) return;
   if (scene.initial && (!scene.initial->velocity.empty() || scene.initial->spin))
     throw InputError("[initial] gives the body a velocity", "an equilibrium has none",
                      "leave it out, or use scheme = \"tlsph\"");
+}
+
+/// What neither accounts for.
+template <int d>
+void leave_out_accounts(Simulation<d>& simulation) {
+  simulation.begin = nullptr;
+  simulation.close_step = nullptr;
+  simulation.keep_budget = nullptr;
+  simulation.support_work = nullptr;
+}
+
+/// Steps from equilibrium to equilibrium.
+template <int d>
+void go_by_loads(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) {
+  const auto now = simulation.steps.now;
+  simulation.control.energy_bound.reset();
+  simulation.control.fixed_step.reset();
+  simulation.control.collapse = 0;  // the path itself says how short steps may become
+  simulation.has_other_work = true;
+  simulation.steps.allowed = [way] { return way->load_path().next_step(); };
+  simulation.steps.advance = [way, now](double dt) -> std::optional<Failure> {
+    const auto failed = way->load_path().go_to(now().time + dt, way->body->state);
+    if (!failed) return std::nullopt;
+    return no_equilibrium(*failed, now());
+  };
+  simulation.steps.out_of_bounds = [](const RunHistory&) { return std::optional<Failure>(); };
+  simulation.reactions = [way] {
+    std::vector<BoundaryForce<d>> forces;
+    for (auto& [boundary, force] : way->load_path().reactions(way->body->state))
+      forces.push_back({boundary, force});
+    return forces;
+  };
+  simulation.save = [way, save = simulation.save] {
+    SavedState saved = save();
+    saved.fields.push_back({"load step", 1, {way->load_path().next_step()}});
+    return saved;
+  };
+  simulation.restore = [way, restore = simulation.restore](const SavedState& saved) {
+    restore(saved);
+    if (const SavedField* step = field_named(saved.fields, "load step"))
+      way->restored_step = step->values.at(0);
+  };
+}
+
+/// Steps in time by the midpoint rule.
+template <int d>
+void go_by_midpoint(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) {
+  const auto now = simulation.steps.now;
+  const auto rule = std::make_shared<std::optional<Midpoint<d>>>();
+  const double dt = way->options.first_step(way->end_time) * way->end_time;
+  simulation.steps.allowed = [dt] { return dt; };
+  simulation.steps.advance = [way, rule, now](double step) -> std::optional<Failure> {
+    TlsphSimulation<d>& body = *way->body;
+    if (!*rule) rule->emplace(body.solid, body.actions, way->options.tolerance, body.state);
+    const NewtonResult search = (*rule)->step(body.state, step);
+    if (search.converged()) return std::nullopt;
+    return no_step(search, (*rule)->solid().unsound, now());
+  };
 }
 
 }  // namespace
@@ -56,38 +115,11 @@ Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphSimulation<d>>& 
   const auto way = std::make_shared<Way<d>>(Way<d>{body, *scene.end_time, scene.method.implicit, {}, 0});
   Simulation<d> simulation = as_simulation(body, scene.material);
   simulation.scheme = "implicit";
-  simulation.control.energy_bound.reset();
-  simulation.control.fixed_step.reset();
-  simulation.control.collapse = 0;  // the way itself says how short steps may become
-  simulation.has_other_work = true;
-  const auto now = simulation.steps.now;
-  simulation.steps.allowed = [way] { return way->gone().length() * way->end_time; };
-  simulation.steps.advance = [way, now](double dt) -> std::optional<Failure> {
-    const double time = way->body->state.time;
-    const double share = std::min(1.0, (time + dt) / way->end_time);
-    const auto failed = way->gone().move_to(share);
-    if (!failed) return std::nullopt;
-    return failure_of(*failed, now());
-  };
-  simulation.steps.out_of_bounds = [](const RunHistory&) { return std::optional<Failure>(); };
-  simulation.reactions = [way] {
-    std::vector<BoundaryForce<d>> forces;
-    for (auto& reaction : way->gone().reactions()) forces.push_back({reaction.boundary, reaction.force});
-    return forces;
-  };
-  simulation.begin = nullptr;
-  simulation.close_step = nullptr;
-  simulation.keep_budget = nullptr;
-  simulation.support_work = nullptr;
-  simulation.save = [way, save = simulation.save] {
-    SavedState saved = save();
-    saved.fields.push_back({"load step", 1, {way->gone().length()}});
-    return saved;
-  };
-  simulation.restore = [way, restore = simulation.restore](const SavedState& saved) {
-    restore(saved);
-    if (const SavedField* length = field_named(saved.fields, "load step")) way->length = length->values.at(0);
-  };
+  leave_out_accounts(simulation);
+  if (scene.method.implicit.midpoint)
+    go_by_midpoint(simulation, way);
+  else
+    go_by_loads(simulation, way);
   return simulation;
 }
 

@@ -22,7 +22,7 @@ void for_blocks(const BondTable<d>& t, Use&& use) {
     use(Block{b * per_block, std::min((b + 1) * per_block, t.slots.packs()), t.width});
 }
 
-/// F = sum x_ab (x) c_ab of one pack, THEORY (15.1).
+/// F = sum x_ab (x) c_ab of one pack, THEORY (16.1).
 template <int d, int W>
 inline Mat<d, Pack<W>> gradient_of_positions(const BondTable<d>& t, const Field& u, Index pack) {
   using Real = Pack<W>;

@@ -127,10 +127,30 @@ Linearised linearise(const Solid<d>& solid) {
   const SparseMatrix stress = tangent_operator(solid, operators.identity) * operators.gradient;
   result.stiffness = operators.force * stress;
   if (operators.terms.nonZeros() > 0) result.stiffness += operators.terms;
-  result.mass.resize(d * solid.cloud.size());
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    result.mass.segment<d>(d * i).setConstant(solid.elastic.density * solid.cloud.V[i]);
+  result.mass = masses_of(solid);
   return result;
+}
+
+template <int d>
+Eigen::VectorXd unknowns_of(const Solid<d>& solid, const Field& field) {
+  Eigen::VectorXd values(d * solid.cloud.size());
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    values.segment<d>(d * i) = vector_at<d>(field, solid.bonds.slots.of(i));
+  return values;
+}
+
+template <int d>
+void set_unknowns(const Solid<d>& solid, const Eigen::VectorXd& values, Field& field) {
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    set_vector<d>(field, solid.bonds.slots.of(i), Vec<d>(values.segment<d>(d * i)));
+}
+
+template <int d>
+Eigen::VectorXd masses_of(const Solid<d>& solid) {
+  Eigen::VectorXd mass(d * solid.cloud.size());
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    mass.segment<d>(d * i).setConstant(solid.elastic.density * solid.cloud.V[i]);
+  return mass;
 }
 
 std::vector<Index> free_unknowns(Index unknowns, const std::vector<Index>& held) {
@@ -158,7 +178,10 @@ SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<Index>& rows,
 #define PLUMBLINE_INSTANTIATE(d)                                                      \
   template LinearOperators linear_operators<d>(const Solid<d>&);                      \
   template SparseMatrix tangent_operator<d>(const Solid<d>&, const Eigen::VectorXd&); \
-  template Linearised linearise<d>(const Solid<d>&);
+  template Linearised linearise<d>(const Solid<d>&);                                  \
+  template Eigen::VectorXd unknowns_of<d>(const Solid<d>&, const Field&);             \
+  template void set_unknowns<d>(const Solid<d>&, const Eigen::VectorXd&, Field&);     \
+  template Eigen::VectorXd masses_of<d>(const Solid<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

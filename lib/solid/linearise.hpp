@@ -35,6 +35,15 @@ LinearOperators linear_operators(const Solid<d>& solid);
 template <int d>
 SparseMatrix tangent_operator(const Solid<d>& solid, const Eigen::VectorXd& gradients);
 
+/// Reads a vector per particle from a field over slots (displacements, velocities), and writes it into one.
+template <int d>
+Eigen::VectorXd unknowns_of(const Solid<d>& solid, const Field& field);
+template <int d>
+void set_unknowns(const Solid<d>& solid, const Eigen::VectorXd& values, Field& field);
+/// rho V of every unknown [kg].
+template <int d>
+Eigen::VectorXd masses_of(const Solid<d>& solid);
+
 /// Unknowns that no support holds, ascending: `held` lists the others (any order, repeats allowed).
 std::vector<Index> free_unknowns(Index unknowns, const std::vector<Index>& held);
 

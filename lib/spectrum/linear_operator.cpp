@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "plumbline/geometry/rigid_motions.hpp"
 #include "plumbline/material/models/linear_elastic.hpp"
 #include "plumbline/solid/evaluate.hpp"
 #include "plumbline/solid/make_sweeps.hpp"
@@ -123,32 +124,21 @@ Eigen::VectorXd LinearOperator<d>::root_masses() const {
 
 template <int d>
 Eigen::MatrixXd LinearOperator<d>::rigid_motions() const {
-  constexpr int motions = d + d * (d - 1) / 2;
+  const RigidMotions<d> rigid(solid_.cloud.box);
+  constexpr int motions = RigidMotions<d>::count;
   const auto& cloud = solid_.cloud;
-  const Vec<d> centre = cloud.box.origin + 0.5 * cloud.box.size;
-  const double scale = 1 / cloud.box.size.norm();
-  const auto motion = [&](const Vec<d>& X, int m) -> Vec<d> {
-    if (m < d) return Vec<d>::Unit(m);
-    const int from = m == d ? 0 : (m == d + 1 ? 0 : 1), to = m == d ? 1 : 2;  // 3D: xy, xz, yz
-    Vec<d> v = Vec<d>::Zero();
-    v[from] = -(X[to] - centre[to]) * scale;
-    v[to] = (X[from] - centre[from]) * scale;
-    return v;
-  };
   // what the motions do to the held components must vanish
   Eigen::MatrixXd free(size(), motions);
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(motions, motions);
   std::vector<std::array<bool, d>> is_free(cloud.size(), std::array<bool, d>{});
   for (Index n = 0; n < size(); ++n) {
     is_free[components_[n].particle][components_[n].axis] = true;
-    for (int m = 0; m < motions; ++m)
-      free(n, m) = motion(cloud.X[components_[n].particle], m)[components_[n].axis];
+    free.row(n) = rigid.at(cloud.X[components_[n].particle]).row(components_[n].axis);
   }
   for (Index i = 0; i < cloud.size(); ++i)
     for (int k = 0; k < d; ++k) {
       if (is_free[i][k]) continue;
-      Eigen::VectorXd row(motions);
-      for (int m = 0; m < motions; ++m) row[m] = motion(cloud.X[i], m)[k];
+      const Eigen::VectorXd row = rigid.at(cloud.X[i]).row(k);
       held += row * row.transpose();
     }
   if (solid_.bonds.mirror)  // nothing leaves a wall
@@ -156,8 +146,7 @@ Eigen::MatrixXd LinearOperator<d>::rigid_motions() const {
       for (const Vec<d>& X : cloud.X) {
         Vec<d> foot = X;
         foot[wall.axis] = cloud.box.origin[wall.axis] + (wall.upper ? cloud.box.size[wall.axis] : 0);
-        Eigen::VectorXd row(motions);
-        for (int m = 0; m < motions; ++m) row[m] = motion(foot, m)[wall.axis];
+        const Eigen::VectorXd row = rigid.at(foot).row(wall.axis);
         held += row * row.transpose();
       }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);

@@ -1,4 +1,4 @@
-// Static manufactured solutions at finite strain by Newton's method (THEORY, chapter 14): order in L2 with
+// Static manufactured solutions at finite strain by Newton's method (THEORY, chapter 15): order in L2 with
 // its interval.
 #include <fmt/format.h>
 

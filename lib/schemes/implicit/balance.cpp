@@ -15,21 +15,31 @@ Balance<d>::Balance(const Solid<d>& solid, const Actions<d>& actions, const Path
       loads_(energy_.solid().cloud, actions_),
       at_(from),
       start_(u) {
-  Eigen::VectorXd gone = Eigen::VectorXd::Zero(u.size());
-  plumb::put_held(actions_, from, gone, gone);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(u.size());
+  Eigen::VectorXd gone = zero;
+  plumb::put_held(actions_, from, zero, gone);
   for (const Index n : held_) start_[n] -= gone[n];
-  move_to(from.share);
+  move_to(from);
 }
 
 template <int d>
-void Balance<d>::move_to(double share) {
-  at_.share = share;
+void Balance<d>::move_to(const PathPoint& at) {
+  at_ = at;
   dead_ = loads_.dead(at_);
 }
 
 template <int d>
+void Balance<d>::set_inertia(Eigen::VectorXd weight, Eigen::VectorXd target) {
+  weight_ = std::move(weight);
+  target_ = std::move(target);
+}
+
+template <int d>
 Eigen::VectorXd Balance<d>::external(const Eigen::VectorXd& u) const {
-  return loads_.follow() ? dead_ + loads_.following(at_, energy_.gradients(u)) : dead_;
+  Eigen::VectorXd force = dead_;
+  if (loads_.follow()) force += loads_.following(at_, energy_.gradients(u));
+  if (weight_.size() > 0) force -= weight_.cwiseProduct(u - target_);
+  return force;
 }
 
 template <int d>
@@ -47,26 +57,26 @@ void Balance<d>::linearise_at(const Eigen::VectorXd& u) {
 
 template <int d>
 SparseMatrix Balance<d>::tangent() {
-  if (!loads_.follow()) return energy_.tangent();
   const auto& free = energy_.unknowns();
-  return energy_.tangent() - part_of(SparseMatrix(following_ * energy_.operators().gradient), free, free);
+  SparseMatrix K = energy_.tangent();
+  if (loads_.follow()) K -= part_of(SparseMatrix(following_ * energy_.operators().gradient), free, free);
+  if (weight_.size() > 0) K.diagonal() += free_part(weight_);
+  return K;
 }
 
 template <int d>
 Eigen::VectorXd Balance<d>::tangent_times(const Eigen::VectorXd& v) const {
   Eigen::VectorXd product = energy_.tangent_times(v);
   if (loads_.follow()) product -= following_ * (energy_.operators().gradient * v);
+  if (weight_.size() > 0) product += weight_.cwiseProduct(v);
   return product;
 }
 
 template <int d>
 double Balance<d>::change_of_potential(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                        double* round_off) {
-  // the force of a pressure is a polynomial of second degree along the step: Simpson's rule is exact
-  const Eigen::VectorXd step = to - from;
-  const double work = loads_.follow()
-                          ? (external(from) + 4 * external(0.5 * (from + to)) + external(to)).dot(step) / 6
-                          : dead_.dot(step);
+  // the forces from outside are polynomials of second degree along the step: Simpson's rule is exact
+  const double work = (external(from) + 4 * external(0.5 * (from + to)) + external(to)).dot(to - from) / 6;
   const double before = energy_.energy(from), after = energy_.energy(to);
   constexpr double rounding = 1e-14;  // of sums over particles
   *round_off =

@@ -51,7 +51,7 @@ DiscreteEnergy<d>::DiscreteEnergy(const Solid<d>& solid, std::vector<Index> unkn
 
 template <int d>
 const State<d>& DiscreteEnergy<d>::state_at(const Eigen::VectorXd& u) {
-  set_displacements(solid_, u, state_);
+  set_unknowns(solid_, u, state_.u);
   return state_;
 }
 
@@ -97,26 +97,7 @@ Eigen::VectorXd DiscreteEnergy<d>::tangent_times(const Eigen::VectorXd& v) const
   return operators_.force * stress + operators_.terms * v;
 }
 
-template <int d>
-Eigen::VectorXd displacements_of(const Solid<d>& solid, const State<d>& state) {
-  Eigen::VectorXd u(d * solid.cloud.size());
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    u.segment<d>(d * i) = vector_at<d>(state.u, solid.bonds.slots.of(i));
-  return u;
-}
-
-template <int d>
-void set_displacements(const Solid<d>& solid, const Eigen::VectorXd& u, State<d>& state) {
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    set_vector<d>(state.u, solid.bonds.slots.of(i), Vec<d>(u.segment<d>(d * i)));
-}
-
-#define PLUMBLINE_INSTANTIATE(d)                                                  \
-  template class DiscreteEnergy<d>;                                               \
-  template Eigen::VectorXd displacements_of<d>(const Solid<d>&, const State<d>&); \
-  template void set_displacements<d>(const Solid<d>&, const Eigen::VectorXd&, State<d>&);
-PLUMBLINE_INSTANTIATE(2)
-PLUMBLINE_INSTANTIATE(3)
-#undef PLUMBLINE_INSTANTIATE
+template class DiscreteEnergy<2>;
+template class DiscreteEnergy<3>;
 
 }  // namespace plumb

@@ -26,7 +26,7 @@ class DiscreteEnergy {
   /// Returns F of every particle, numbered d^2 x particle + d x row + column.
   Eigen::VectorXd gradients(const Eigen::VectorXd& u) const;
 
-  /// Moves the second derivative K = d2E/du2 [N/m] to the displacements u, THEORY (14.2).
+  /// Moves the second derivative K = d2E/du2 [N/m] to the displacements u, THEORY (15.2).
   void linearise_at(const Eigen::VectorXd& u);
   /// Returns K of the chosen unknowns there.
   SparseMatrix tangent();
@@ -48,11 +48,5 @@ class DiscreteEnergy {
   SparseMatrix material_;                                 ///< T
   KnownProduct stress_, stiffness_;                       ///< T G and D T G
 };
-
-/// Reads the displacements of all particles from a state, and writes them into one.
-template <int d>
-Eigen::VectorXd displacements_of(const Solid<d>& solid, const State<d>& state);
-template <int d>
-void set_displacements(const Solid<d>& solid, const Eigen::VectorXd& u, State<d>& state);
 
 }  // namespace plumb

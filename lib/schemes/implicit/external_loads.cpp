@@ -8,7 +8,7 @@ namespace {
 /// The time at which a load is asked, and what its value there is multiplied by.
 struct Asked {
   double time, factor;
-  Asked(bool steady, const PathPoint& at) : time(steady ? 0 : at.time()), factor(steady ? at.share : 1) {}
+  Asked(bool steady, const PathPoint& at) : time(steady ? 0 : at.time), factor(steady ? at.growth : 1) {}
 };
 
 template <int d>

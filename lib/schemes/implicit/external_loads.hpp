@@ -6,12 +6,11 @@
 
 namespace plumb {
 
-/// Says how far the loads of a quasi-static path have grown: from share 0 to share 1 at its end time. What
-/// varies in time is taken at the time of the share; what is constant grows in proportion to the share.
+/// Says when loads and supports act, and how far those that are constant have grown: what varies in time is
+/// taken at this time.
 struct PathPoint {
-  double share;     ///< 0 to 1
-  double end_time;  ///< [s]
-  double time() const { return share * end_time; }
+  double time;    ///< [s]
+  double growth;  ///< what constant loads and displacements are multiplied by: 0 to 1
 };
 
 /// The forces that act on the particles of a body from outside, and how they change with its motion. Unknowns

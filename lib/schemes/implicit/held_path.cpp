@@ -36,10 +36,9 @@ void put_held(const Actions<d>& actions, const PathPoint& at, const Eigen::Vecto
   for (const Held<d>& held : actions.held)
     for (const HeldPlace<d>& place : held.places) {
       const Index unknown = d * place.particle + place.component;
-      const auto prescribed =
-          held.motion(place.at, place.component, held.steady ? 0 : at.time()).displacement;
-      u[unknown] = prescribed ? (held.steady ? at.share : 1) * *prescribed
-                              : start[unknown] + distance_gone(held, place, at.time());
+      const auto prescribed = held.motion(place.at, place.component, held.steady ? 0 : at.time).displacement;
+      u[unknown] = prescribed ? (held.steady ? at.growth : 1) * *prescribed
+                              : start[unknown] + distance_gone(held, place, at.time);
     }
 }
 

@@ -21,16 +21,18 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
   if (options.tolerance >= 1)
     section.fail("tolerance", fmt::format("{:g} is no tolerance", options.tolerance),
                  "it is a share of the forces", "give a number below 1, such as 1e-10");
-  // both stand in a scene so that other values can follow; a choice that is not built is an unknown one
+  // it stands in a scene so that other values can follow; a choice that is not built is an unknown one
   section.choice_or("solver", "direct", {"direct"});
-  section.choice_or("dynamics", "none", {"none"});
+  options.midpoint = section.choice_or("dynamics", "none", {"none", "midpoint"}) == "midpoint";
   section.reject_unknown();
   return options;
 }
 
 std::string ImplicitOptions::in_words() const {
-  const std::string size = time_step ? fmt::format("load steps of {:g} s", *time_step)
-                                     : fmt::format("{} load step{}", steps, steps == 1 ? "" : "s");
+  const std::string size = time_step ? fmt::format("steps of {:g} s", *time_step)
+                                     : fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
+  if (midpoint)
+    return fmt::format("implicit midpoint rule, {}, residual {:g} of the forces", size, tolerance);
   return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces", size,
                      adaptive ? " (halved and grown as needed)" : "", tolerance);
 }

@@ -7,16 +7,17 @@ namespace plumb {
 
 class Section;
 
-/// Chooses how equilibria are sought on the way from no load to the load at the end time. It is the section
-/// [implicit] of a scene; without the section these are the defaults.
+/// Chooses how equilibria are sought on the way from no load to the load at the end time, or steps in time
+/// are made. It is the section [implicit] of a scene; without the section these are the defaults.
 struct ImplicitOptions {
   static constexpr std::string_view section = "implicit", subject = "equilibrium",
-                                    theory = "THEORY (14.1) to (14.4)";
+                                    theory = "THEORY (15.1) to (15.6)";
 
   long steps = 4;                   ///< load steps to the end time, if none has to be halved
   std::optional<double> time_step;  ///< [s]: gives the number of steps instead
   bool adaptive = true;             ///< steps are halved on failure, and grow where Newton's method is quick
   double tolerance = 1e-10;         ///< residual relative to the forces
+  bool midpoint = false;            ///< dynamics = "midpoint": steps in time instead of equilibria
 
   /// Reads the section. Throws SceneError.
   static ImplicitOptions read(const Section& section);

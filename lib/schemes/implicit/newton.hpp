@@ -26,13 +26,13 @@ struct NewtonResult {
 
 /// Finds u with r(u) = 0 at the free unknowns, from a u whose held unknowns are where they belong: Newton's
 /// method with backtracking on the potential, every J positive on the way. Ends when |r| is `tolerance` of
-/// the force scale, or as small as the round-off of u makes it. THEORY (14.2), (14.3).
+/// the force scale, or as small as the round-off of u makes it. THEORY (15.2), (15.3).
 template <int d>
 NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance, Eigen::VectorXd& u);
 
 /// Moves u to the present share: held unknowns to where they are prescribed to be, free ones with them
 /// through the stiffness at the old u, so that supports that move do not tear their first layer off. Leaves u
-/// as it is and says why if that cannot be done. THEORY (14.4).
+/// as it is and says why if that cannot be done. THEORY (15.4).
 template <int d>
 NewtonEnd predict(Balance<d>& balance, DescentSolver& solver, Eigen::VectorXd& u);
 

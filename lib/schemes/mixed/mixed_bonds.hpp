@@ -9,7 +9,7 @@ namespace plumb {
 
 /// The bonds of a body with what the scheme of paper 003 needs beside them. The table's constants are
 /// c_ab = F_chi,a^T g_chi,ab, material vectors, whatever the reference is: then F = sum x_ab (x) c_ab, its
-/// rate is sum v_ab (x) c_ab, and V_chi sigma_chi g_chi of (57) is V P c. THEORY (15.1).
+/// rate is sum v_ab (x) c_ab, and V_chi sigma_chi g_chi of (57) is V P c. THEORY (16.1).
 template <int d>
 struct MixedBonds {
   BondTable<d> table;

@@ -9,7 +9,7 @@ class Section;
 
 /// Chooses among the variants of the scheme of paper 003. It is the section [mixed] of a scene.
 struct MixedOptions {
-  static constexpr std::string_view section = "mixed", subject = "mixed", theory = "THEORY (15.1)";
+  static constexpr std::string_view section = "mixed", subject = "mixed", theory = "THEORY (16.1)";
 
   std::string volumes = "equal";    ///< weights in the kernel sums: equal | tributary, as (41) has them
   std::string kinematics = "tied";  ///< tied: H = cof F, J = det F | evolved: by (55), (56)

@@ -27,7 +27,7 @@ struct UpwindSite {
 /// Forces of the pairs on one block, per reference volume [N/m^d], and what they dissipate [W/m^d]. With
 /// S = rho |C^Skew|/2 [c_p n (x) n + c_s (I - n (x) n)], n along x_ab and speeds over the mean least stretch
 /// of the pair (63): q = S w. A jump that says `adjoint` also gives the stress P what the velocity gradients
-/// in it do to the force, THEORY (15.3).
+/// in it do to the force, THEORY (16.3).
 template <int d, int W, class Jump>
 void upwind_sweep(const UpwindSite<d>& site, const Block& block, Field& force, Field& power, Field& P) {
   using Real = Pack<W>;

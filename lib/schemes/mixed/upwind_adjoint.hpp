@@ -5,7 +5,7 @@ namespace plumb {
 
 /// The jump of the form R^T S R: w = v_b - v_a - (l_a + l_b) x_ab/2 with spatial velocity gradients l, and
 /// the force from the potential sum q.w/2 over the pairs. Dissipative by construction; zero for a rigid
-/// rotation of any deformed state; linear and angular momentum are exact. THEORY (15.2), (15.3).
+/// rotation of any deformed state; linear and angular momentum are exact. THEORY (16.2), (16.3).
 template <int d, int W>
 struct AdjointJump {
   static constexpr bool adjoint = true;

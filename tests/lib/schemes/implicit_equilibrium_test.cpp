@@ -101,24 +101,21 @@ TEST(Equilibrium, PressureThatFollowsPassesThePatchTestInSpace) {
   EXPECT_LT((cauchy + 9e6 * Mat<3>::Identity()).norm(), 1e-7 * 9e6);
 }
 
-/// ln|r| doubles from iteration to iteration. Judged by residuals from 0.1 (before, the path to the root is
-/// not yet short) to 1e-12 (round-off of the forces follows).
-void expect_quadratic(const std::vector<double>& r, double least) {
-  int seen = 0;
-  for (double x : r) std::cout << x << " ";
-  std::cout << std::endl;
-  for (std::size_t n = 0; n + 2 < r.size(); ++n) {
-    if (r[n] > 0.1 || r[n + 2] < 1e-12) continue;
-    const double order = std::log(r[n + 2] / r[n + 1]) / std::log(r[n + 1] / r[n]);
-    EXPECT_GT(order, least) << r[n] << " " << r[n + 1] << " " << r[n + 2];
-    ++seen;
+/// |r_next| = C |r|^2 near the root: ln|r_next|/ln|r| goes to 2. Judged by residuals that are small enough
+/// for C not to matter much, and above round-off of the forces.
+void expect_quadratic(const std::vector<double>& r) {
+  int judged = 0;
+  for (std::size_t n = 0; n + 1 < r.size(); ++n) {
+    if (r[n] > 0.03 || r[n + 1] < 1e-13) continue;
+    EXPECT_GT(std::log(r[n + 1]) / std::log(r[n]), 1.7) << r[n] << " " << r[n + 1];
+    ++judged;
   }
-  EXPECT_GE(seen, 1) << "no three residuals to judge by";
+  EXPECT_GE(judged, 2);
 }
 
 TEST(Equilibrium, NewtonConvergesQuadratically) {
   for (const char* kind : {"kind = \"traction\"\ntraction = [0, \"0.3 MPa\"]\n",
-                           "kind = \"pressure\"\npressure = \"-0.3 MPa\"\n"}) {
+                           "kind = \"pressure\"\npressure = \"4 MPa\"\n"}) {
     auto s = make_tlsph<2>(block_scene(
         "[hourglass]\n[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n[[boundary]]\nface = \"x+\"\n" +
         std::string(kind)));
@@ -129,7 +126,7 @@ TEST(Equilibrium, NewtonConvergesQuadratically) {
     ASSERT_TRUE(result.completed());
     ASSERT_EQ(result.steps.size(), 1u);
     EXPECT_EQ(result.steps[0].newton.shifted, 0);
-    expect_quadratic(result.steps[0].newton.residuals, 1.7);
+    expect_quadratic(result.steps[0].newton.residuals);
   }
 }
 
@@ -152,6 +149,21 @@ TEST(Equilibrium, SupportsThatMoveTakeTheBodyAlong) {
   EXPECT_NEAR(result.reactions[0].force[0], -result.reactions[2].force[0],
               1e-7 * result.reactions[2].force[0]);
   EXPECT_GT(result.reactions[2].force[0], 0.6 * 17e6 * 0.3);
+}
+
+/// A corner that two boundaries hold counts once: the reactions add up to the load.
+TEST(Equilibrium, ReactionsOfBoundariesThatMeetAddUpToTheLoad) {
+  auto s =
+      make_tlsph<2>(block_scene("[load]\ngravity = [\"100 m/s^2\", \"-300 m/s^2\"]\n[[boundary]]\nface "
+                                "= \"x-\"\nkind = \"clamped\"\n[[boundary]]\nface = "
+                                "\"y-\"\nkind = \"roller\"\n"));
+  const auto result = found(s);
+  ASSERT_TRUE(result.completed());
+  const Vec<2> sum = result.reactions[0].force + result.reactions[1].force;
+  const double mass = 1100 * 0.6;
+  EXPECT_NEAR(sum[0], -100 * mass, 1e-7 * 300 * mass);
+  EXPECT_NEAR(sum[1], 300 * mass, 1e-7 * 300 * mass);
+  EXPECT_GT(result.reactions[1].force[1], 0.2 * 300 * mass);  // both carry
 }
 
 /// Steps grow, the answer does not depend on them, and a path goes on from where it was left.
@@ -177,9 +189,9 @@ TEST(Equilibrium, DoesNotDependOnTheSteps) {
   EXPECT_EQ(shares.back(), 1);
   EXPECT_NEAR(resumed.state.time, 0.5, 1e-15);
   ASSERT_TRUE(found(resumed, options).completed());
-  const auto u = displacements_of(one.solid, one.state);
-  EXPECT_LT((u - displacements_of(many.solid, many.state)).norm(), 1e-8 * u.norm());
-  EXPECT_LT((u - displacements_of(resumed.solid, resumed.state)).norm(), 1e-8 * u.norm());
+  const auto u = unknowns_of(one.solid, one.state.u);
+  EXPECT_LT((u - unknowns_of(many.solid, many.state.u)).norm(), 1e-8 * u.norm());
+  EXPECT_LT((u - unknowns_of(resumed.solid, resumed.state.u)).norm(), 1e-8 * u.norm());
 }
 
 TEST(Equilibrium, ABodyThatCanStillMoveIsNamed) {
@@ -273,9 +285,9 @@ TEST(Equilibrium, WithoutAdaptationAFailedStepEndsThePath) {
 /// A wall that goes through the body: the last equilibrium is kept, and the particle whose J is not positive
 /// is named.
 TEST(Equilibrium, ATurnedOverParticleIsNamed) {
-  auto s = make_tlsph<2>(
-      block_scene(rollers + "[[boundary]]\nface = \"y+\"\nkind = \"roller\"\n[[boundary]]\nface = "
-                            "\"x+\"\nkind = \"displacement\"\ndisplacement = [\"-0.7*t\", 0]\n"));
+  auto s = make_tlsph<2>(block_scene(rollers +
+                                     "[[boundary]]\nface = \"y+\"\nkind = \"roller\"\n[[boundary]]\nface = "
+                                     "\"x+\"\nkind = \"displacement\"\ndisplacement = [\"-0.7*t\", 0]\n"));
   const auto result = found(s);
   ASSERT_FALSE(result.completed());
   EXPECT_EQ(result.failure->cause, "inverted");

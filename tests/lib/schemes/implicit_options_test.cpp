@@ -30,7 +30,7 @@ TEST(ImplicitOptions, Defaults) {
   EXPECT_EQ(o.tolerance, 1e-10);
   EXPECT_EQ(o.first_step(3.0), 0.25);
   EXPECT_EQ(o.in_words(),
-            "equilibrium by Newton's method, 4 load steps (halved and grown as needed), residual 1e-10 of "
+            "equilibrium by Newton's method, 4 steps (halved and grown as needed), residual 1e-10 of "
             "the forces");
 }
 
@@ -41,9 +41,12 @@ TEST(ImplicitOptions, ValuesAreRead) {
   EXPECT_EQ(o.first_step(0.001), 1);  // longer than the path
   EXPECT_FALSE(o.adaptive);
   EXPECT_EQ(o.tolerance, 1e-8);
-  EXPECT_EQ(o.in_words(),
-            "equilibrium by Newton's method, load steps of 0.01 s, residual 1e-08 of the forces");
+  EXPECT_EQ(o.in_words(), "equilibrium by Newton's method, steps of 0.01 s, residual 1e-08 of the forces");
   EXPECT_EQ(read("steps = 7").steps, 7);
+  EXPECT_FALSE(o.midpoint);
+  const ImplicitOptions moving = read("dynamics = \"midpoint\"\ntime_step = \"10 ms\"");
+  EXPECT_TRUE(moving.midpoint);
+  EXPECT_EQ(moving.in_words(), "implicit midpoint rule, steps of 0.01 s, residual 1e-10 of the forces");
 }
 
 TEST(ImplicitOptions, NonsenseIsRefused) {
