@@ -11,7 +11,7 @@ namespace {
 
 using testing::column_rubber;
 
-/// Relative L2 errors over the particles at the end.
+/// Relative L2 errors at the end, by the volumes of the particles.
 struct Errors {
   double u = 0, v = 0, F = 0, P = 0;
 };
@@ -41,14 +41,14 @@ Errors plate(double spacing, MixedOptions options, double periods, double jitter
     const Motion<2> exact = solution.motion(s.X[i], end);
     const Mat<2> F = s.F[i].topLeftCorner<2, 2>(), P = solution.first_piola(exact.F);
     const Mat<3> first_piola = s.F[i].determinant() * s.cauchy[i] * s.F[i].inverse().transpose();
-    error.u += (s.x[i] - s.X[i] - exact.displacement).squaredNorm();
-    size.u += exact.displacement.squaredNorm();
-    error.v += (s.v[i] - exact.velocity).squaredNorm();
-    size.v += exact.velocity.squaredNorm();
-    error.F += (F - exact.F).squaredNorm();
-    size.F += (exact.F - Mat<2>::Identity()).squaredNorm();
-    error.P += (first_piola.topLeftCorner<2, 2>() - P).squaredNorm();
-    size.P += P.squaredNorm();
+    error.u += s.mass[i] * (s.x[i] - s.X[i] - exact.displacement).squaredNorm();
+    size.u += s.mass[i] * exact.displacement.squaredNorm();
+    error.v += s.mass[i] * (s.v[i] - exact.velocity).squaredNorm();
+    size.v += s.mass[i] * exact.velocity.squaredNorm();
+    error.F += s.mass[i] * (F - exact.F).squaredNorm();
+    size.F += s.mass[i] * (exact.F - Mat<2>::Identity()).squaredNorm();
+    error.P += s.mass[i] * (first_piola.topLeftCorner<2, 2>() - P).squaredNorm();
+    size.P += s.mass[i] * P.squaredNorm();
   }
   return {std::sqrt(error.u / size.u), std::sqrt(error.v / size.v), std::sqrt(error.F / size.F),
           std::sqrt(error.P / size.P)};
