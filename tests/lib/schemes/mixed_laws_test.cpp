@@ -222,6 +222,7 @@ TEST(MixedScheme, TheOtherOptionsAndThePapersDissipationDiffer) {
 TEST(MixedScheme, UpdatesComeEverySoManySteps) {
   const MixedOptions none = mixed_options("none");
   EXPECT_EQ(difference(after_steps<2>(none, 3, 8, 8), after_steps<2>(none, 3, 9, 8)), 0);
+  EXPECT_LT(difference(after_steps<2>(none, 0, 1, 8), after_steps<2>(none, 3, 9, 8)), 1e-11);
   EXPECT_GT(difference(after_steps<2>(none, 3, 7, 9), after_steps<2>(none, 3, 9, 9)), 1e-9);
 }
 
