@@ -129,6 +129,9 @@ BlockLaw<d> history_law(const M& law) {
     made.history.push_back({std::string(name), std::string(unit), made.history_components, tensor});
     made.history_components += tensor ? 9 : 1;
   });
+  const int work = made.history_components++;
+  made.plastic_work = work;
+  made.history.push_back({"plastic work", "J/m^3", work, false});
   made.stress = [law](const MixedState<d>& state, const Field& F, Index begin, Index end, Field& P) {
     for (Index i = begin; i < end; ++i) {
       History history;
@@ -155,11 +158,11 @@ BlockLaw<d> history_law(const M& law) {
     const Mat<3> thick = whole_gradient<d>(F, i);
     return {thick, law.stress(thick, history).P};
   };
-  made.commit = [law](MixedState<d>& state, const Field& F, Index begin, Index end) {
+  made.commit = [law, work](MixedState<d>& state, const Field& F, Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       History history;
       load_history(history, state.history, i);
-      law.stress(whole_gradient<d>(F, i), history);
+      state.history[work][i] += law.stress(whole_gradient<d>(F, i), history).plastic_work;
       store_history(history, state.history, i);
     }
   };

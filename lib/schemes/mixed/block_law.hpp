@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct BlockLaw {
   std::function<void(MixedState<d>&, const Field& F, Index begin, Index end)> commit;
   std::vector<HistoryValue> history;
   int history_components = 0;
+  std::optional<int> plastic_work;  ///< its place in the history [J/m^d]; none without plasticity
 };
 
 /// The law of that choice: W(F, H, J) with H and J of the state if they evolve, otherwise W(F) or a law with

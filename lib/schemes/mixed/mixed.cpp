@@ -172,23 +172,25 @@ SchemeEnergy Mixed<d>::energy(const State& state) {
   follow_reference(state);
   const Field& F = gradients(state);
   SchemeEnergy energy;
-  std::vector<std::array<double, 3>> parts(static_cast<std::size_t>(block_count(bonds_.table)));
+  const auto total = [&](const Field& density, int component) {  // in the order of the slots
+    double sum = 0;
+    for (Index i = 0; i < slots(); ++i) sum += volume_[i] * density[component][i];
+    return sum;
+  };
+  std::vector<std::array<double, 2>> parts(static_cast<std::size_t>(block_count(bonds_.table)));
   for_blocks(bonds_.table, [&](const Block& block) {
-    auto& [kinetic, strain, heat] = parts[static_cast<std::size_t>(block.begin() / block_slots)];
-    kinetic = strain = heat = 0;
-    for (Index i = block.begin(); i < block.end(); ++i) {
+    auto& [kinetic, strain] = parts[static_cast<std::size_t>(block.begin() / block_slots)];
+    kinetic = 0;
+    for (Index i = block.begin(); i < block.end(); ++i)
       kinetic += volume_[i] * vector_at<d>(state.v, i).squaredNorm();
-      if (state.heat.components() > 0) heat += volume_[i] * state.heat[0][i];
-    }
     strain = law_.energy(state, F, volume_.data(), block.begin(), block.end());
   });
-  double heat = 0;
-  for (const auto& part : parts) {
-    energy.kinetic += 0.5 * specimen_.elastic.density * part[0];
-    energy.strain += part[1];
-    heat += part[2];
+  for (const auto& [kinetic, strain] : parts) {
+    energy.kinetic += 0.5 * specimen_.elastic.density * kinetic;
+    energy.strain += strain;
   }
-  if (state.heat.components() > 0) energy.dissipated = heat;
+  if (law_.plastic_work) energy.more.push_back({"plastic work", total(state.history, *law_.plastic_work)});
+  if (state.heat.components() > 0) energy.dissipated = total(state.heat, 0);
   return energy;
 }
 

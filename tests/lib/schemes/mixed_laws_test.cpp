@@ -1,5 +1,6 @@
 // What must hold for every state of the scheme of paper 003: momenta, energy, invariance, restart.
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "plumbline/core/error.hpp"
 #include "tests/support/mixed.hpp"
@@ -221,6 +222,7 @@ TEST(MixedScheme, TheOtherOptionsAndThePapersDissipationDiffer) {
 TEST(MixedScheme, UpdatesComeEverySoManySteps) {
   const MixedOptions none = mixed_options("none");
   EXPECT_EQ(difference(after_steps<2>(none, 3, 8, 8), after_steps<2>(none, 3, 9, 8)), 0);
+  EXPECT_LT(difference(after_steps<2>(none, 0, 1, 8), after_steps<2>(none, 3, 9, 8)), 1e-11);
   EXPECT_GT(difference(after_steps<2>(none, 3, 7, 9), after_steps<2>(none, 3, 9, 9)), 1e-9);
 }
 
@@ -248,6 +250,27 @@ TEST(MixedScheme, AContinuedRunHasTheSameBits) {
     EXPECT_EQ(difference(body.snapshot(state), other.snapshot(copy)), 0);
     EXPECT_EQ(body.energy(state).total(), other.energy(copy).total());
   }
+}
+
+TEST(MixedScheme, SameBitsForAnyNumberOfThreads) {
+  const int before = omp_get_max_threads();
+  const Cloud<2> cloud = cube<2>(70);  // some 20 blocks
+  std::vector<Snapshot<2>> ends;
+  std::vector<double> energies;
+  for (const int threads : {1, 3}) {
+    omp_set_num_threads(threads);
+    MixedOptions o;
+    o.option = 3;
+    o.smooth_positions = true;
+    Mixed<2> body = mixed_body(cloud, o);
+    MixedState<2> state = body.start(rough_motion(cloud, 0.05, 4));
+    for (int n = 0; n < 3; ++n) ASSERT_FALSE(body.advance(state, body.step_limit(state)));
+    ends.push_back(body.snapshot(state));
+    energies.push_back(body.energy(state).total());
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(difference(ends[0], ends[1]), 0);
+  EXPECT_EQ(energies[0], energies[1]);
 }
 
 TEST(MixedScheme, TroubleNamesTheParticleAndLeavesTheState) {
