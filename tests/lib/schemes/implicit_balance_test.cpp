@@ -77,6 +77,14 @@ TYPED_TEST(ImplicitBalance, TheChangeOfPotentialHasTheResidualAsItsSlope) {
     EXPECT_NEAR(slope, expected, 1e-9 * std::abs(expected)) << follows;
     EXPECT_LT(round_off, 1e-10 * std::abs(change(1)));
     EXPECT_EQ(change(0), 0);
+    // over a long step it is what it is over its halves: the work is taken exactly
+    const VectorXd half = u + 0.02 * v, end = u + 0.04 * v;
+    const double whole = balance.change_of_potential(u, end, &round_off);
+    EXPECT_NEAR(
+        whole,
+        balance.change_of_potential(u, half, &round_off) + balance.change_of_potential(half, end, &round_off),
+        1e-11 * std::abs(whole))
+        << follows;
   }
 }
 

@@ -151,6 +151,30 @@ TEST(Equilibrium, SupportsThatMoveTakeTheBodyAlong) {
   EXPECT_GT(result.reactions[2].force[0], 0.6 * 17e6 * 0.3);
 }
 
+/// Pushed in by more than a spacing in one step: alone, the first layer would pass through the second.
+TEST(Equilibrium, SupportsThatMoveDoNotTearTheirFirstLayerOff) {
+  auto s = make_tlsph<2>(block_scene(
+      rollers + "[[boundary]]\nface = \"x+\"\nkind = \"displacement\"\ndisplacement = [\"-0.15*t\", 0]\n"));
+  ImplicitOptions options;
+  options.steps = 1;
+  options.adaptive = false;
+  EXPECT_TRUE(found(s, options).completed());
+}
+
+/// Hooke's answer to -30 MPa is a strain of -1.3: backtracking keeps J positive, and finds the equilibrium in
+/// one load step.
+TEST(Equilibrium, StepsThatWouldInvertTheBodyAreShortened) {
+  auto s = make_tlsph<2>(
+      block_scene(rollers + "[[boundary]]\nface = \"y+\"\nkind = \"roller\"\n[[boundary]]\nface = "
+                            "\"x+\"\nkind = \"traction\"\ntraction = [\"-30 MPa\", 0]\n"));
+  ImplicitOptions options;
+  options.steps = 1;
+  options.adaptive = false;
+  const auto result = found(s, options);
+  ASSERT_TRUE(result.completed());
+  EXPECT_NEAR(result.reactions[0].force[0], 30e6 * 0.6, 1e-7 * 30e6);
+}
+
 /// A corner that two boundaries hold counts once: the reactions add up to the load.
 TEST(Equilibrium, ReactionsOfBoundariesThatMeetAddUpToTheLoad) {
   auto s =
