@@ -50,10 +50,6 @@ void read_plane(const Section& section, MaterialChoice& material, int dimension)
 MaterialChoice read_material(const Section& section, int dimension, MaterialOf of) {
   MaterialChoice material;
   material.model = section.choice_or("model", material.model, material_names());
-  if (of == MaterialOf::body && has_history(material.model))
-    section.fail("model", fmt::format("a body of \"{}\"", material.model),
-                 "its history is not carried through time steps",
-                 "`plumb material` drives it at one point; bodies take elastic laws");
   read_elastic(section, material, of);
   read_parameters(section, material);
   read_plane(section, material, dimension);
@@ -64,6 +60,14 @@ MaterialChoice read_material(const Section& section, int dimension, MaterialOf o
     section.fail("", error.problem(), error.why(), error.suggestion());
   }
   return material;
+}
+
+void refuse_history(const Section& root, const MaterialChoice& material, const Method& method) {
+  if (method.scheme == "mixed" || !has_history(material.model)) return;
+  root.section("material")
+      .fail("model", fmt::format("a body of \"{}\"", material.model),
+            fmt::format("scheme = \"{}\" does not carry its history through time steps", method.scheme),
+            "use scheme = \"mixed\", which does, or an elastic law; `plumb material` drives it at one point");
 }
 
 }  // namespace plumb

@@ -62,6 +62,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.body = read_body(root.section("body"), scene.dimension, true);
   scene.material = read_material(root.section("material"), scene.dimension);
   scene.method = read_method(root, scene.body);
+  refuse_history(root, scene.material, scene.method);
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);

@@ -12,10 +12,12 @@ namespace plumb {
 /// `with_lattice`: spacing or particles are read and resolved (scenes); otherwise they are unknown keys
 /// (studies). `dimension` 0: as many as body.size has.
 Body read_body(const Section& section, int dimension, bool with_lattice);
-/// Who asks for a material: a body, which has mass and whose laws have no history, or a single point.
+/// Who asks for a material: a body, which has mass, or a single point.
 enum class MaterialOf { body, point };
 /// [material] with the parameters that its law declares. `dimension`: 2 may have plane = "stress".
 MaterialChoice read_material(const Section& section, int dimension, MaterialOf of = MaterialOf::body);
+/// Refuses a law with history in a body of a scheme that has no room for it.
+void refuse_history(const Section& root, const MaterialChoice& material, const Method& method);
 /// Lists the sections that read_method reads: [method] and those of its parts.
 std::vector<std::string> method_sections();
 /// Reads the scheme with its optional parts. What is not given is that of `paper`, or suits the body:

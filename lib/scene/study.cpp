@@ -82,6 +82,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   study.body = read_body(root.section("body"), 0, false);
   study.material = read_material(root.section("material"), study.dimension());
   study.method = read_method(root, study.body);
+  refuse_history(root, study.material, study.method);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);
   return study;

@@ -1,5 +1,6 @@
 #include "plumbline/schemes/implicit/balance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plumbline/diagnostics/measures.hpp"
@@ -87,7 +88,11 @@ double Balance<d>::change_of_potential(const Eigen::VectorXd& from, const Eigen:
 template <int d>
 double Balance<d>::force_scale(const Eigen::VectorXd& u, const Eigen::VectorXd& residual) const {
   const Eigen::VectorXd outside = external(u);
-  return std::max(outside.norm(), (residual + outside).norm());
+  const double internal = (residual + outside).norm();
+  if (weight_.size() == 0) return std::max(outside.norm(), internal);
+  // loads and inertia apart: of a body that is free they are in balance, and their sum is round-off
+  const Eigen::VectorXd inertia = weight_.cwiseProduct(u - target_);
+  return std::max({(outside + inertia).norm(), inertia.norm(), internal});
 }
 
 template <int d>

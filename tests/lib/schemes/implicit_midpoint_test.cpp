@@ -96,6 +96,17 @@ TEST(Midpoint, FollowsConstantLoadsAndSupports) {
   EXPECT_EQ(state.u[1][solid.bonds.slots.of(3)], 0);
 }
 
+/// A force that grows with time, taken at the middle of the step, gives its whole impulse.
+TEST(Midpoint, TakesLoadsAtTheMiddleOfTheStep) {
+  const Solid<2> solid = testing::elastic_body<2>({}, LawChoice("neo-hookean"), 0, 0, 4);
+  Actions<2> growing;
+  growing.body.push_back({"growing", [](const Vec<2>&, double t) { return Vec<2>(1100 * 6 * t, 0); }, false});
+  State<2> state = make_state(solid);
+  Midpoint<2> midpoint(solid, growing, 1e-10, state);
+  for (int n = 0; n < 2; ++n) ASSERT_TRUE(midpoint.step(state, 0.1).converged());
+  EXPECT_NEAR(state.v[0][solid.bonds.slots.of(0)], 3 * 0.04, 1e-9);
+}
+
 TEST(Midpoint, AStepThatFailsLeavesTheState) {
   const Solid<2> solid = testing::elastic_body<2>({}, LawChoice("neo-hookean"), 0, 0, 4);
   Actions<2> lost;
