@@ -6,7 +6,7 @@ namespace plumb {
 namespace {
 
 /// A closed body whose total energy doubles is unstable beyond doubt: the paper's scheme gains at most a
-/// tenth (method.md).
+/// tenth.
 constexpr double closed_energy_bound = 1.0;
 
 /// Of a whole box without the rounding of a sum.

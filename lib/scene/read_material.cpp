@@ -66,7 +66,7 @@ void refuse_history(const Section& root, const MaterialChoice& material, const M
   if (method.scheme == "mixed" || !has_history(material.model)) return;
   root.section("material")
       .fail("model", fmt::format("a body of \"{}\"", material.model),
-            fmt::format("scheme = \"{}\" does not carry its history through time steps", method.scheme),
+            fmt::format("its history is not carried through time steps by scheme = \"{}\"", method.scheme),
             "use scheme = \"mixed\", which does, or an elastic law; `plumb material` drives it at one point");
 }
 
