@@ -55,11 +55,12 @@ TEST_F(Sittings, OnlyWhatIsMissingIsMade) {
 }
 
 TEST_F(Sittings, NothingIsToldOfAnUnknownAmountOfWork) {
-  Sitting next = sitting();
+  Sitting next = sitting("another study");  // parts that are recalled would take their work off
   int told = 0;
   next.tell(
       0, [&told](double, const std::string&) { ++told; }, "steps");
   parts(next, 9);
+  EXPECT_EQ(made_, 2 + 4);
   EXPECT_EQ(told, 0);
 }
 
