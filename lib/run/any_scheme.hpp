@@ -93,7 +93,6 @@ std::optional<Failure> beyond_energy_bound(Moving<M>& moving, const StepControl&
                                            const RunHistory& history) {
   if (!control.energy_bound) return std::nullopt;
   const double energy = moving.scheme.energy(moving.state).total();
-  // A body at rest has no energy: it is compared with what loads do to it nowhere.
   if (energy <= (1 + *control.energy_bound) * history.initial_energy.value_or(energy)) return std::nullopt;
   return Failure{moving.state.time, moving.state.step, Cause::energy_growth, -1, energy, "total energy"};
 }

@@ -32,6 +32,14 @@ void refuse_endless_output(const Section& root, const Scene& scene) {
                                   fmt::format("at most {:.0g}", most_rows), "check the units");
 }
 
+/// The account of what changed momenta and energy is kept by the terms of one scheme.
+void refuse_budget_of_another(const Section& root, const Scene& scene) {
+  if (scene.output && scene.output->budget && scene.method.scheme != "tlsph")
+    root.section("output").fail("budget", fmt::format("contradicts scheme = \"{}\"", scene.method.scheme),
+                                "only scheme = \"tlsph\" keeps such an account",
+                                "leave it out, or use scheme = \"tlsph\"");
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& file_name,
@@ -68,6 +76,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.output = read_output(root, scene.body);
   refuse_endless_output(root, scene);
+  refuse_budget_of_another(root, scene);
   refuse_beside_mirror(root, scene.body.layout, scene.method);
   refuse_pointless_mirror(root, scene);
   return scene;

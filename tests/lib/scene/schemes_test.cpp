@@ -201,6 +201,9 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("tlsph", "[implicit]\n").find("belongs to scheme = \"implicit\""), std::string::npos);
   EXPECT_NE(refusal("implicit", "[initial]\nvelocity = [\"1\", \"0\"]\n").find("an equilibrium has none"),
             std::string::npos);
+  for (const char* scheme : {"mixed", "implicit"})
+    EXPECT_NE(refusal(scheme, "[output]\nbudget = true\n").find("keeps such an account"), std::string::npos);
+  EXPECT_EQ(refusal("tlsph", "[output]\nbudget = true\n"), "accepted");
   EXPECT_THROW(make_tlsph<2>(pulled("mixed")), InputError);
 }
 
