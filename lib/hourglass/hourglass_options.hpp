@@ -15,8 +15,9 @@ struct HourglassOptions {
   static constexpr std::string_view section = "hourglass", subject = "hourglass",
                                     theory = "THEORY (12.1), (12.2)";
 
-  double alpha =
-      0.5;  ///< dimensionless; the larger, the less alternating motion and the stiffer a coarse bend
+  /// Dimensionless; the larger, the less alternating motion and the stiffer a coarse bend. 2 completes the
+  /// columns of paper 003 and the plate of large amplitude at nu 0.495, THEORY chapter 12.
+  double alpha = 2;
 
   /// Reads the section; nullopt if alpha is 0. Throws SceneError.
   static std::optional<HourglassOptions> read(const Section& section);

@@ -126,7 +126,11 @@ Steps steps_of(const std::shared_ptr<Moving<M>>& moving, const StepControl& cont
 /// The particle of that number in the snapshot.
 template <int d>
 PointView<d> view_of(const Snapshot<d>& shown, Index i) {
-  return {shown.X[i], shown.u[i], shown.x[i], shown.v[i]};
+  PointView<d> view{shown.X[i], shown.u[i], shown.x[i], shown.v[i]};
+  view.volume = shown.volume[i];
+  if (!shown.F.empty()) view.F = shown.F[i];
+  if (!shown.cauchy.empty()) view.cauchy = shown.cauchy[i];
+  return view;
 }
 
 /// The step that the control allows is the scheme's own limit, unless the scene fixes it.

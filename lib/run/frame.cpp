@@ -17,12 +17,13 @@ std::vector<double> numbers_of(const std::vector<Vec<d>>& vectors) {
 }  // namespace
 
 template <int d>
-Frame<d>::Frame(const Snapshot<d>& shown)
+Frame<d>::Frame(const Snapshot<d>& shown, const std::vector<std::string>& fields)
     : time_(shown.time),
       position_(numbers_of<d>(shown.x)),
       displacement_(numbers_of<d>(shown.u)),
       velocity_(numbers_of<d>(shown.v)),
       more_(shown.more) {
+  for (const auto& name : fields) fields_.push_back(shown_field(name, shown));
   for (const auto& F : shown.F) determinant_.push_back(determinant<3, double>(F));
   for (const auto& cauchy : shown.cauchy) {
     pressure_.push_back(-cauchy.trace() / 3);
@@ -37,6 +38,8 @@ void Frame<d>::write(ParticleSeries& series) const {
   fields.push_back({"pressure [Pa]", 1, pressure_});
   fields.push_back({"von Mises stress [Pa]", 1, von_mises_});
   for (const auto& more : more_) fields.push_back({more.name + " [" + more.unit + "]", 1, more.values});
+  for (const auto& shown : fields_)
+    fields.push_back({shown.title(), static_cast<int>(shown.components.size()), shown.values});
   series.write({time_, d, position_, fields});
 }
 
@@ -50,6 +53,8 @@ Table Frame<d>::table() const {
   if (!determinant_.empty()) table.columns.emplace_back("J");
   table.columns.insert(table.columns.end(), {"pressure [Pa]", "von Mises stress [Pa]"});
   for (const auto& more : more_) table.columns.push_back(more.name + " [" + more.unit + "]");
+  for (const auto& shown : fields_)
+    for (const auto& column : shown.columns()) table.columns.push_back(column);
   for (std::size_t i = 0; i < pressure_.size(); ++i) {
     std::vector<Cell> row;
     for (const auto* vectors : {&position_, &displacement_, &velocity_})
@@ -58,6 +63,8 @@ Table Frame<d>::table() const {
     if (!determinant_.empty()) row.emplace_back(determinant_[i]);
     row.insert(row.end(), {pressure_[i], von_mises_[i]});
     for (const auto& more : more_) row.emplace_back(more.values[i]);
+    for (const auto& shown : fields_)
+      for (const double value : shown.of(i)) row.emplace_back(value);
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -4,6 +4,7 @@
 #include "plumbline/output/particles.hpp"
 #include "plumbline/output/table.hpp"
 #include "plumbline/particles/snapshot.hpp"
+#include "plumbline/run/output_fields.hpp"
 
 namespace plumb {
 
@@ -13,7 +14,8 @@ namespace plumb {
 template <int d>
 class Frame {
  public:
-  explicit Frame(const Snapshot<d>& shown);
+  /// `fields`: names of output_fields.hpp, shown beside the rest. Throws InputError if the scheme lacks one.
+  explicit Frame(const Snapshot<d>& shown, const std::vector<std::string>& fields = {});
 
   /// Writes it as the next file of the series.
   void write(ParticleSeries& series) const;
@@ -24,6 +26,7 @@ class Frame {
   double time_;
   std::vector<double> position_, displacement_, velocity_, determinant_, pressure_, von_mises_;
   std::vector<NamedValues> more_;
+  std::vector<ShownField> fields_;
 };
 
 }  // namespace plumb

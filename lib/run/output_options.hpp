@@ -19,6 +19,7 @@ struct Output {
   bool vtk = false;     ///< particles as .vtp with a .pvd
   bool series = false;  ///< energies, momenta and probes against time as CSV
   bool budget = false;  ///< momenta and energy by the cause that changed them, every step, as CSV
+  std::vector<std::string> fields;  ///< names of output_fields.hpp, beside what files always have
   std::vector<Probe> probes;
 };
 

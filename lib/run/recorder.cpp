@@ -56,7 +56,12 @@ std::vector<std::string> Recorder<d>::columns(const Simulation<d>& simulation) c
     add_columns<d>(names, probe.name + " position", "m");
     add_columns<d>(names, probe.name + " displacement", "m");
     add_columns<d>(names, probe.name + " velocity", "m/s");
+    for (const auto& name : output_.fields)
+      for (const auto& column : probe_columns<d>(name)) names.push_back(probe.name + " " + column);
   }
+  if (simulation.reactions)
+    for (const auto& [boundary, force] : simulation.reactions())
+      add_columns<d>(names, "reaction " + boundary, d == 2 ? "N/m" : "N");
   return names;
 }
 
@@ -82,7 +87,7 @@ void Recorder<d>::finish(const Simulation<d>& simulation) {
 template <int d>
 void Recorder<d>::record(const Simulation<d>& simulation) {
   if (series_) record_series(simulation);
-  if (particles_) Frame<d>(simulation.snapshot()).write(*particles_);
+  if (particles_) Frame<d>(simulation.snapshot(), output_.fields).write(*particles_);
   recorded_ = simulation.steps.now().step;
 }
 
@@ -102,7 +107,13 @@ void Recorder<d>::record_series(const Simulation<d>& simulation) {
     add_values<d>(row, at.x);
     add_values<d>(row, at.u);
     add_values<d>(row, at.v);
+    for (const auto& name : output_.fields) {
+      const auto values = probe_values<d>(name, at);
+      row.insert(row.end(), values.begin(), values.end());
+    }
   }
+  if (simulation.reactions)
+    for (const auto& [boundary, force] : simulation.reactions()) add_values<d>(row, force);
   series_->append(row);
 }
 

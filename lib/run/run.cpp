@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/time/closest_pairs.hpp"
@@ -64,6 +65,26 @@ NextStep next_step(const StepControl& control, double time, double allowed) {
   return step;
 }
 
+/// Whether the body has come to rest, where that ends the run.
+bool at_rest(const Steps& steps, const StepControl& control, RunResult& result) {
+  if (!control.rest || !steps.residual) return false;
+  if (const auto residual = steps.residual()) result.residual = residual;
+  return result.residual && *result.residual <= *control.rest && steps.now().time >= control.rest_after;
+}
+
+/// A run that should have come to rest and did not.
+std::optional<Failure> restless(const StepControl& control, const RunResult& result, const Moment& now) {
+  if (!control.rest || result.stopped || result.failure) return result.failure;
+  if (result.residual && *result.residual <= *control.rest && now.time >= control.rest_after)
+    return std::nullopt;
+  return Failure{now.time,
+                 now.step,
+                 Cause::no_convergence,
+                 -1,
+                 result.residual.value_or(std::numeric_limits<double>::quiet_NaN()),
+                 "residual over the forces of loads and supports"};
+}
+
 bool finished(const Moment& now, const StepControl& control) {
   // 1e-12 of the end time: what rounding leaves of it after a million steps
   if (control.end_time && now.time >= *control.end_time * (1 - 1e-12)) return true;
@@ -104,7 +125,7 @@ RunResult step_to_the_end(const Steps& steps, const StepControl& control,
                           const std::function<bool()>& observe, RunHistory& history) {
   RunResult result;
   result.stopped = observe && !observe();
-  while (!result.stopped && !finished(steps.now(), control)) {
+  while (!result.stopped && !finished(steps.now(), control) && !at_rest(steps, control, result)) {
     const auto [time, step] = steps.now();
     const double allowed = steps.allowed();
     if (!(allowed > control.collapse * history.dt.first)) {
@@ -124,6 +145,7 @@ RunResult step_to_the_end(const Steps& steps, const StepControl& control,
     if (result.failure) break;
     result.stopped = observe && !observe();
   }
+  result.failure = restless(control, result, steps.now());
   result.dt = history.dt;
   return result;
 }

@@ -20,6 +20,9 @@ struct StepControl {
   std::optional<double> end_time;  ///< [s]; the last step is cut to meet it
   std::optional<double> interval;  ///< [s]; steps are cut so that a state falls on each of its multiples
   std::optional<long> max_steps;
+  /// Ends the run when Steps::residual is not above this; a failure if the end comes first.
+  std::optional<double> rest;
+  double rest_after = 0;               ///< [s]: not before loads have grown to their values
   std::optional<double> energy_bound;  ///< unstable if the total energy exceeds (1 + bound) times the initial
                                        ///< one by more than round-off
   /// A step below this share of the first one counts as collapsed: a body whose spacing shrinks a
@@ -50,7 +53,8 @@ struct StepStatistics {
 
 struct RunResult {
   std::optional<Failure> failure;
-  bool stopped = false;  ///< by the observer
+  bool stopped = false;            ///< by the observer
+  std::optional<double> residual;  ///< the last one, of a run that looks for rest
   StepStatistics dt;
   bool completed() const { return !failure && !stopped; }
 };
@@ -71,6 +75,9 @@ struct Steps {
   std::function<std::optional<Failure>(double dt)> advance;
   /// Compares the body as a whole with the bounds of the control; asked every so many steps.
   std::function<std::optional<Failure>(const RunHistory&)> out_of_bounds;
+  /// Unbalanced forces relative to those of loads and supports; nullopt: not looked at after this step.
+  /// Empty: the body does not look for rest.
+  std::function<std::optional<double>()> residual = {};
 };
 
 /// Steps until the end, a failure, or until `observe` returns false. It is called at the start and after

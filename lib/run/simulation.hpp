@@ -16,8 +16,11 @@ namespace plumb {
 /// What one particle shows: for probes, without a snapshot of all.
 template <int d>
 struct PointView {
-  Vec<d> X, u, x;  ///< reference position, displacement, position [m]
-  Vec<d> v;        ///< velocity [m/s]
+  Vec<d> X, u, x;                     ///< reference position, displacement, position [m]
+  Vec<d> v;                           ///< velocity [m/s]
+  std::optional<Mat<3>> F = {};       ///< deformation gradient; nullopt: the scheme has none
+  std::optional<Mat<3>> cauchy = {};  ///< Cauchy stress [Pa]; likewise
+  double volume = 0;                  ///< current volume [m^d]
 };
 
 /// Numbers of a body that do not change in a run, and the work done so far.

@@ -47,12 +47,24 @@ InitialMotion<d> initial_motion(const Scene& scene, const Cloud<d>& cloud) {
   return start;
 }
 
+namespace {
+
+double longest_ramp(const Scene& scene) {
+  double longest = scene.load ? scene.load->ramp.value_or(0) : 0;
+  for (const auto& boundary : scene.boundaries) longest = std::max(longest, boundary.ramp.value_or(0));
+  return longest;
+}
+
+}  // namespace
+
 StepControl step_control(const Scene& scene) {
   StepControl control;
   if (scene.method.cfl) control.cfl = *scene.method.cfl;
   control.fixed_step = scene.method.time_step;
   control.wave_speed = wave_speed_named(scene.method.wave_speed);
   control.end_time = scene.end_time;
+  if (scene.relaxation) control.rest = scene.relaxation->residual;
+  control.rest_after = longest_ramp(scene);
   control.max_steps = scene.max_steps;
   if (scene.output && (scene.output->series || scene.output->vtk)) control.interval = scene.output->every;
   bool driven = scene.load.has_value();

@@ -48,6 +48,12 @@ void set_paper(Method& method) {
   method.integrator = "rk3";
 }
 
+/// Compatible bonds end at the surface, where particles must lie, and their force is the adjoint one.
+std::string default_gradient(const Method& method, const Body& body) {
+  if (!method.paper.empty()) return method.gradient;
+  return method.momentum == "adjoint" && body.layout == Layout::node ? "compatible" : "improved";
+}
+
 /// Particles beside a surface that cuts a cloud have too few bonds with 0.9, THEORY chapter 11.
 double default_beta(const Method& method, const Body& body) {
   const bool fills_box = body.shape == "box" && body.holes.empty() && body.cloud == "lattice";
@@ -86,7 +92,11 @@ void read_scheme(const Section& root, Method& method) {
 Method read_method_section(const Section& root, const Body& body) {
   Method method;
   const auto section = root.optional_section("method");
-  if (!section) return method;
+  if (!section) {
+    method.gradient = default_gradient(method, body);
+    method.beta = default_beta(method, body);
+    return method;
+  }
   if (section->has("paper")) {
     method.paper = section->choice_or("paper", "000", paper_names());
     set_paper(method);
@@ -96,7 +106,7 @@ Method read_method_section(const Section& root, const Body& body) {
   method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
   method.pair = section->choice_or("pair", method.pair, pair_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
-  method.gradient = section->choice_or("gradient", method.gradient, gradient_names());
+  method.gradient = section->choice_or("gradient", default_gradient(method, body), gradient_names());
   method.beta = section->number_or("beta", default_beta(method, body), quantity::number, Sign::positive);
   if (method.momentum == "variational" && method.gradient == "compatible")
     section->fail("momentum", R"("variational" contradicts gradient = "compatible")",

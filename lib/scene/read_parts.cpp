@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plumbline/run/output_fields.hpp"
 #include "plumbline/scene/names.hpp"
 #include "plumbline/scene/readers.hpp"
 #include "plumbline/scene/tlsph.hpp"
@@ -96,6 +97,22 @@ Probe read_probe(const Section& section, const Body& body) {
   return probe;
 }
 
+/// Names of the catalogue, each once.
+std::vector<std::string> read_fields(const Section& section) {
+  std::vector<std::string> fields = section.texts("fields");
+  const auto valid = output_field_names();
+  for (auto at = fields.begin(); at != fields.end(); ++at) {
+    if (std::find(valid.begin(), valid.end(), *at) == valid.end()) {
+      const InputError error = unknown_name("field", *at, valid);
+      section.fail("fields", error.problem(), error.why(), error.suggestion());
+    }
+    if (std::find(fields.begin(), at, *at) != at)
+      section.fail("fields", fmt::format("\"{}\" stands there twice", *at), "it is shown once",
+                   "leave one out");
+  }
+  return fields;
+}
+
 }  // namespace
 
 std::optional<Initial> read_initial(const Section& root, int dimension) {
@@ -143,6 +160,7 @@ std::optional<Output> read_output(const Section& root, const Body& body) {
   output.vtk = section->flag_or("vtk", output.vtk);
   output.series = section->flag_or("series", output.series);
   output.budget = section->flag_or("budget", output.budget);
+  if (section->has("fields")) output.fields = read_fields(*section);
   for (const auto& part : section->sections("probe")) {
     const Probe probe = read_probe(part, body);
     for (const auto& other : output.probes)

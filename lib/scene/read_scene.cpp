@@ -40,13 +40,29 @@ void refuse_budget_of_another(const Section& root, const Scene& scene) {
                                 "leave it out, or use scheme = \"tlsph\"");
 }
 
+/// What has no rest, or none that a run in time finds.
+void refuse_restless(const Section& root, const Scene& scene) {
+  const Section section = root.section("relaxation");
+  if (scene.method.scheme != "tlsph")
+    section.fail("", fmt::format("contradicts scheme = \"{}\"", scene.method.scheme),
+                 "only scheme = \"tlsph\" looks for rest in time", "leave it out, or use scheme = \"tlsph\"");
+  if (scene.boundaries.empty() && !scene.load)
+    section.fail("", "nothing holds or loads the body", "the residual is relative to those forces",
+                 "add [[boundary]] or [load]");
+  if (scene.output && scene.output->budget)
+    root.section("output").fail("budget", "contradicts [relaxation]",
+                                "a relaxation takes kinetic energy away, which no force does",
+                                "leave one of them out");
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
-  for (const char* name : {"scene", "body", "material", "load", "initial", "boundary", "output"})
+  for (const char* name :
+       {"scene", "body", "material", "load", "initial", "boundary", "relaxation", "output"})
     root.has(name);
   for (const auto& name : method_sections()) root.has(name);
   if (!root.has("scene") && root.has("study"))
@@ -74,7 +90,9 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);
+  scene.relaxation = read_relaxation(root);
   scene.output = read_output(root, scene.body);
+  if (scene.relaxation) refuse_restless(root, scene);
   refuse_endless_output(root, scene);
   refuse_budget_of_another(root, scene);
   refuse_beside_mirror(root, scene.body.layout, scene.method);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumbline/actions/load_options.hpp"
+#include "plumbline/actions/relaxation_options.hpp"
 #include "plumbline/dissipation/damping.hpp"
 #include "plumbline/dissipation/jst_options.hpp"
 #include "plumbline/geometry/shape.hpp"
@@ -77,17 +78,18 @@ struct Compatible {
 };
 
 /// [method] and the sections of its optional parts: the scheme, for scenes and studies alike. The adjoint
-/// force needs no dissipation to be stable, so velocity Verlet with one evaluation a step serves. The
-/// defaults here hold for every body but one kind: the reader gives compatible bonds beta 1.2 where a surface
-/// cuts the cloud.
+/// force needs no dissipation to be stable, so velocity Verlet with one evaluation a step serves. Compatible
+/// bonds are exact for affine motion and uniform stress, at the surface too. The reader's defaults depend on
+/// the rest of the scene (default_gradient, default_beta): compatible bonds need particles on the surface and
+/// the adjoint force, and beta 1.2 where a surface cuts the cloud.
 struct Method {
   std::string scheme = "tlsph";  ///< a name of scheme_names()
   std::string paper;  ///< "000", "003": keys that are not given are those of that paper; empty: of no paper
   std::string kernel = "cubic";
-  double beta = 0.9;                  ///< h/d: the least neighbours with no near-zero modes
-  std::string pair = "W1";            ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
-  std::string gradient = "improved";  ///< standard | improved | bond38 | compatible
-  Compatible compatible;              ///< of gradient = "compatible" only
+  double beta = 0.9;                    ///< h/d: the least neighbours with no near-zero modes
+  std::string pair = "W1";              ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
+  std::string gradient = "compatible";  ///< standard | improved | bond38 | compatible
+  Compatible compatible;                ///< of gradient = "compatible" only
   std::string momentum =
       "adjoint";  ///< symmetrised (22) | adjoint: energy and angular momentum exact | variational
   std::string integrator = "verlet";        ///< rk3 | verlet
@@ -166,7 +168,8 @@ struct Scene {
   std::optional<LoadOptions> load;  ///< [load]; absent: no body forces
   std::optional<Initial> initial;   ///< absent: at rest
   std::vector<Boundary> boundaries;
-  std::optional<Output> output;  ///< absent: the summary only
+  std::optional<RelaxationOptions> relaxation;  ///< absent: the run ends at its time, at rest or not
+  std::optional<Output> output;                 ///< absent: the summary only
 };
 
 }  // namespace plumb

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "plumbline/boundary/open_forces.hpp"
+#include "plumbline/boundary/relaxation.hpp"
 #include "plumbline/boundary/support_work.hpp"
 #include "plumbline/diagnostics/budget_file.hpp"
 #include "plumbline/material/point.hpp"
@@ -16,6 +19,9 @@ template <int d>
 struct Followed {
   std::shared_ptr<TlsphSimulation<d>> body;
   ClosestPairs<d> closest;
+  std::shared_ptr<const OpenForces<d>> forces;  ///< null without supports or relaxation
+  std::optional<Relaxation<d>> relaxation;
+  std::optional<double> residual;  ///< of the last step, if it was looked at
   std::optional<BudgetFile<d>> budget;
   std::optional<SupportWork<d>> support_work;
   double support_work_before = 0, support_power_before = 0;  ///< of an earlier part of the run [J], [W]
@@ -56,6 +62,7 @@ SavedState save(const Followed<d>& followed) {
                           2,
                           {work ? work->done() : followed.support_work_before,
                            work ? work->power() : followed.support_power_before}});
+  if (followed.relaxation) saved.fields.push_back({"relaxation", 1, {followed.relaxation->rate()}});
   return saved;
 }
 
@@ -77,6 +84,8 @@ void restore(Followed<d>& followed, const SavedState& saved) {
   const SavedField* supports = field_named(saved.fields, "supports");
   if (!supports || supports->values.size() != 2)
     throw InputError("the checkpoint has no work of supports", "", "start the run anew, without --resume");
+  const SavedField* relaxation = field_named(saved.fields, "relaxation");
+  if (followed.relaxation && relaxation) followed.relaxation->set_rate(relaxation->values.at(0));
   followed.support_work_before = supports->values[0];
   followed.support_power_before = supports->values[1];
 }
@@ -125,6 +134,56 @@ Counts counts_of(const TlsphSimulation<d>& body) {
           bytes_per_update(body.solid, body.stepper)};
 }
 
+/// The deformation gradient in space; F_33 = 1.
+template <int d>
+Mat<3> gradient_in_space(const Solid<d>& solid, const State<d>& state, Index i) {
+  Mat<3> F = Mat<3>::Identity();
+  F.template topLeftCorner<d, d>() = deformation_gradient_of(solid, state, i);
+  return F;
+}
+
+template <int d>
+PointView<d> view_of(const Solid<d>& solid, const State<d>& state, const MaterialPoint& point, Index i) {
+  const Index slot = solid.bonds.slots.of(i);
+  const PointState at = point(gradient_in_space(solid, state, i));
+  return {solid.cloud.X[i],
+          vector_at<d>(state.u, slot),
+          position_of(solid, state, i),
+          vector_at<d>(state.v, slot),
+          at.F,
+          at.cauchy,
+          solid.cloud.V[i] * determinant<3, double>(at.F)};
+}
+
+template <int d>
+void give_reactions(Simulation<d>& simulation, const std::shared_ptr<Followed<d>>& followed) {
+  if (followed->body->supports.empty()) return;
+  simulation.reactions = [followed] {
+    TlsphSimulation<d>& body = *followed->body;
+    std::vector<BoundaryForce<d>> named;
+    const auto open = followed->forces->at(body.solid, body.state);
+    const Vec<d> unknown = Vec<d>::Constant(std::numeric_limits<double>::quiet_NaN());  // no force exists
+    const auto forces = open ? followed->forces->reactions(body.solid, body.state, *open)
+                             : std::vector<Vec<d>>(body.actions.held.size(), unknown);
+    for (std::size_t n = 0; n < forces.size(); ++n) named.push_back({body.actions.held[n].name, forces[n]});
+    return named;
+  };
+}
+
+/// After every step the relaxation has a look.
+template <int d>
+void look_for_rest(Simulation<d>& simulation, const std::shared_ptr<Followed<d>>& followed) {
+  if (!simulation.control.rest) return;
+  followed->relaxation.emplace(followed->forces);
+  simulation.steps.advance = [followed, step = simulation.steps.advance](double dt) {
+    auto failure = step(dt);
+    TlsphSimulation<d>& body = *followed->body;
+    if (!failure) followed->residual = followed->relaxation->damp(body.solid, body.state, dt);
+    return failure;
+  };
+  simulation.steps.residual = [followed] { return followed->residual; };
+}
+
 }  // namespace
 
 template <int d>
@@ -144,9 +203,7 @@ Snapshot<d> snapshot_of(const Solid<d>& solid, const State<d>& state, const Mate
     shown.u[i] = vector_at<d>(state.u, slot);
     shown.x[i] = position_of(solid, state, i);
     shown.v[i] = vector_at<d>(state.v, slot);
-    Mat<3> F = Mat<3>::Identity();
-    F.template topLeftCorner<d, d>() = deformation_gradient_of(solid, state, i);
-    const PointState at = point(F);
+    const PointState at = point(gradient_in_space(solid, state, i));
     shown.F[i] = at.F;
     shown.cauchy[i] = at.cauchy;
     shown.mass[i] = solid.elastic.density * solid.cloud.V[i];
@@ -159,6 +216,8 @@ template <int d>
 Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const MaterialChoice& material) {
   const auto followed = std::make_shared<Followed<d>>();
   followed->body = body;
+  if (!body->supports.empty() || body->control.rest)
+    followed->forces = std::make_shared<const OpenForces<d>>(body->solid, body->actions);
   const Solid<d>& solid = body->solid;
   Simulation<d> simulation;
   simulation.scheme = "tlsph";
@@ -170,10 +229,8 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, con
   simulation.evaluations_per_step = body->stepper.evaluations_per_step;
   simulation.steps = steps_of(body->solid, body->state, body->stepper, body->control, followed->closest);
   simulation.snapshot = [body, material] { return snapshot_of(body->solid, body->state, material); };
-  simulation.at = [body](Index i) {
-    const Index slot = body->solid.bonds.slots.of(i);
-    return PointView<d>{body->solid.cloud.X[i], vector_at<d>(body->state.u, slot),
-                        position_of(body->solid, body->state, i), vector_at<d>(body->state.v, slot)};
+  simulation.at = [body, point = make_point(material.law(), material.elastic())](Index i) {
+    return view_of(body->solid, body->state, point, i);
   };
   simulation.energy = [body] { return scheme_energy(body->solid, body->state); };
   simulation.energy_round_off = [body] { return energy_round_off(body->solid); };
@@ -185,6 +242,8 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, con
   simulation.moves_supports = std::any_of(body->supports.begin(), body->supports.end(),
                                           [](const auto& support) { return support.velocity != 0; });
   simulation.has_other_work = has_other_work(*body);
+  give_reactions(simulation, followed);
+  look_for_rest(simulation, followed);
   simulation.counts = [body] { return counts_of(*body); };
   simulation.arrays = [body] { return arrays_of(*body); };
   simulation.save = [followed] { return save(*followed); };

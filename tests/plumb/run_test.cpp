@@ -171,7 +171,8 @@ TEST_F(RunCommand, SeriesHasUnitsAndARowForEveryInterval) {
       "step,time [s],kinetic energy [J/m],strain energy [J/m],total energy [J/m],linear momentum x [kg/s],"
       "linear momentum y [kg/s],angular momentum z [kg m/s],hourglass share,edge position x [m],"
       "edge position y [m],edge displacement x [m],edge displacement y [m],edge velocity x [m/s],"
-      "edge velocity y [m/s]");
+      "edge velocity y [m/s],reaction x- x [N/m],reaction x- y [N/m],reaction x+ x [N/m],reaction x+ y [N/m],"
+      "reaction y- x [N/m],reaction y- y [N/m],reaction y+ x [N/m],reaction y+ y [N/m]");
   const auto rows = numbers_of(csv);
   ASSERT_EQ(rows.size(), 6U) << "0, 2, 4, 6, 8 ms and the last state";
   for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(rows[k][1], 2e-3 * static_cast<double>(k));

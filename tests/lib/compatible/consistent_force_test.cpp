@@ -81,6 +81,7 @@ void estimated_surface_leaves_its_own_areas(double jitter) {
   scene.body.jitter = jitter;
   scene.material = {"neo-hookean", 17e6, 0.3, 1100};
   scene.method.momentum = "variational";
+  scene.method.gradient = "improved";
   scene.method.compatible.surface = "estimated";
   auto made = make_tlsph<d>(scene);
   EXPECT_EQ(made.warnings.size(), 1U);

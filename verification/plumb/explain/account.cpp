@@ -143,6 +143,12 @@ Statement start_of(const Scene& scene) {
 Statement end_of(const Scene& scene) {
   std::string text = scene.end_time ? fmt::format("at t = {:g} s", *scene.end_time) : "";
   if (scene.max_steps) text += fmt::format("{}after {} steps", text.empty() ? "" : ", or ", *scene.max_steps);
+  if (scene.relaxation)
+    return {"ends",
+            fmt::format("at rest: unbalanced forces of {:g} of those of loads and supports; it fails if that "
+                        "is not reached {}",
+                        scene.relaxation->residual, text),
+            "THEORY (5.10)"};
   return {"ends", text, ""};
 }
 

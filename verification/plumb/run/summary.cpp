@@ -20,6 +20,12 @@ Json list(const Vec<d>& v) {
   return std::vector<double>(v.data(), v.data() + d);
 }
 
+Json rows_of(const Mat<3>& tensor) {
+  Json rows = Json::array();
+  for (int a = 0; a < 3; ++a) rows.push_back({tensor(a, 0), tensor(a, 1), tensor(a, 2)});
+  return rows;
+}
+
 /// |now - before| relative to the first scale that is not zero; 0 where there is no motion at all.
 double drift(const std::array<double, 3>& now, const std::array<double, 3>& before, double scale,
              double other_scale) {
@@ -35,6 +41,8 @@ Json probes_json(const FinishedRun<d>& run) {
     probes[probe.name] = {{"position", list<d>(at.x)},  {"displacement", list<d>(at.u)},
                           {"velocity", list<d>(at.v)},  {"particle", probe.particle},
                           {"reference", list<d>(at.X)}, {"distance", probe.distance}};
+    probes[probe.name]["F"] = at.F ? rows_of(*at.F) : Json();
+    probes[probe.name]["stress"] = at.cauchy ? rows_of(*at.cauchy) : Json();
   }
   return probes;
 }
@@ -124,6 +132,7 @@ Json summary(const FinishedRun<d>& run) {
             {"status", status_of(run.result)},
             {"steps", now.step},
             {"time", now.time},
+            {"residual", run.result.residual ? Json(*run.result.residual) : Json()},
             {"dt", {{"first", dt.first}, {"min", dt.least}, {"max", dt.most}, {"last", dt.last}}},
             {"energy", energy_json(run)}};
   json.update(momentum_json(run));

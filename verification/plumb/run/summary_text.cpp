@@ -43,13 +43,13 @@ std::string energy_text(const FinishedRun<d>& run) {
 
 template <int d>
 std::string probe_text(const FinishedRun<d>& run, const BoundProbe& probe) {
-  const auto [X, u, x, v] = run.simulation.at(probe.particle);
-  std::string text =
-      fmt::format("  probe \"{}\": particle {} at {} m", probe.name, probe.particle, place_text(X.data(), d));
+  const PointView<d> at = run.simulation.at(probe.particle);
+  std::string text = fmt::format("  probe \"{}\": particle {} at {} m", probe.name, probe.particle,
+                                 place_text(at.X.data(), d));
   if (probe.distance > 1e-9 * run.simulation.spacing)
     text += fmt::format(", {:.3g} m from {}", probe.distance, place_text(probe.at.data(), d));
-  return text + fmt::format(": displacement {} m, velocity {} m/s\n", place_text(u.data(), d),
-                            place_text(v.data(), d));
+  return text + fmt::format(": displacement {} m, velocity {} m/s\n", place_text(at.u.data(), d),
+                            place_text(at.v.data(), d));
 }
 
 }  // namespace
@@ -63,6 +63,8 @@ std::string summary_text(const FinishedRun<d>& run) {
       "{}: {} at {:.6g} s, {} steps, {} particles\n  computing {}, writing {}, set-up {}\n", run.scene.name,
       status_of(run.result), now.time, now.step, run.simulation.counts().particles,
       duration_text(timing.computing()), duration_text(timing.writing), duration_text(timing.setup));
+  if (run.result.residual)
+    text += fmt::format("  residual {:.3g} of the forces of loads and supports\n", *run.result.residual);
   if (run.result.failure) {
     text += failure_text(*run.result.failure);
     const std::string cause =
@@ -80,6 +82,10 @@ std::string summary_text(const FinishedRun<d>& run) {
   }
   for (int k = 0; k < d; ++k)
     text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
+  if (run.simulation.reactions)
+    for (const auto& [boundary, force] : run.simulation.reactions())
+      text += fmt::format("  supports \"{}\" push with {} {}\n", boundary, place_text(force.data(), d),
+                          d == 2 ? "N/m" : "N");
   for (const auto& probe : run.probes) text += probe_text(run, probe);
   if (run.tlsph && run.tlsph->compatible) text += "  " + compatible_text(run.tlsph->compatible.get());
   return text;
