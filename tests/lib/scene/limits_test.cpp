@@ -34,6 +34,8 @@ TEST(Limits, AreToldWhereTheSchemeHasThem) {
        {Row{{}, ""}, Row{{"method.gradient=improved"}, "patch test"},
         Row{{"method.momentum=symmetrised"}, "patch test"}, Row{{"method.gradient=standard"}, "patch test"},
         Row{{"method.momentum=variational"}, ""}, Row{{"body.layout=cell"}, ""}, Row{{"body.jitter=0.2"}, ""},
+        Row{{"material.poisson=0.495"}, "[hourglass]"},
+        Row{{"material.poisson=0.495", "hourglass.alpha=2"}, ""},
         Row{{"body.jitter=0.2", "method.gradient=improved"},
             "jitter = 0.2: none of the tables but that of compatible bonds"},
         Row{{"body.jitter=0.2", "method.momentum=variational"}, "compatible bonds"},
