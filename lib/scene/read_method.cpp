@@ -40,6 +40,7 @@ void set_paper(Method& method) {
     method.mixed.volumes = "tributary";
     method.mixed.kinematics = "evolved";
     method.mixed.upwind = "reconstructed";
+    method.cfl = 0.9;  // of its section 8
     return;
   }
   method.pair = "W1";

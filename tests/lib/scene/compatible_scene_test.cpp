@@ -106,6 +106,11 @@ TEST(DefaultScheme, IsTheImprovedTableWhereCompatibleBondsDoNotFit) {
     EXPECT_EQ(without_method(changes).method.gradient, "improved") << changes.front();
 }
 
+TEST(DefaultScheme, PaperOf003HasItsCflNumber) {
+  EXPECT_EQ(without_method({"method.paper=003"}).method.mixed.cfl, 0.9);
+  EXPECT_EQ(without_method({"method.paper=003", "method.cfl=0.3"}).method.mixed.cfl, 0.3);
+}
+
 // One word for the keys of the paper's scenes; a key that is given wins.
 TEST(DefaultScheme, PaperIsTheSchemeOfThePaper) {
   const Scene paper = without_method({"method.paper=000"});
