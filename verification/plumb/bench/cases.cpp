@@ -56,6 +56,7 @@ Case case_of(const Scheme& scheme, int dimension, bool jittered) {
   c.main = scheme.main && !(jittered && scheme.name == "paper");
   Scene& scene = c.scene;
   scene.dimension = dimension;
+  scene.method.gradient = "improved";
   scene.body.size.assign(dimension, 1.0);
   scene.body.jitter = jittered ? 0.2 : 0;
   scene.material = {"neo-hookean", 1e7, 0.3, 1000};

@@ -24,6 +24,7 @@ Scene block(long particles, bool irregular) {
   const long cells = std::max(2L, std::lround(std::cbrt(static_cast<double>(particles))) - 1);
   scene.body = with_spacing(scene.body, 1.0 / static_cast<double>(cells));
   scene.material = {"neo-hookean", 1e7, 0.3, 1000};
+  scene.method.gradient = "improved";
   scene.method.jst = JstOptions{};
   return scene;
 }
