@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mms/level.hpp"
-#include "plumbline/core/error.hpp"
+#include "plumbline/core/sentences.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -28,7 +28,7 @@ Sitting::Json make_run(const Study& study, double spacing, bool warm_up, Sitting
   try {
     return run_of<d>(study, spacing, warm_up, sitting);
   } catch (const InputError& error) {
-    return {{"refused", error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")")}};
+    return {{"refused", sentences(error.problem(), error.why(), "")}};
   }
 }
 

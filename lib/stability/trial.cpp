@@ -4,6 +4,7 @@
 #include <ctime>
 #include <numeric>
 
+#include "plumbline/core/sentences.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/scene/tlsph.hpp"
 
@@ -90,7 +91,7 @@ std::optional<Trial> try_scene(const Scene& scene, const StabilityBounds& bounds
     return scene.dimension == 2 ? attempt<2>(scene, bounds, go_on) : attempt<3>(scene, bounds, go_on);
   } catch (const InputError& error) {
     Trial trial;
-    trial.refused = error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")");
+    trial.refused = sentences(error.problem(), error.why(), "");
     return trial;
   }
 }

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "plumbline/core/error.hpp"
+#include "plumbline/core/sentences.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/output/json.hpp"
 #include "plumbline/output/sitting.hpp"
@@ -84,7 +84,7 @@ JobResult Store::get(const Job& job) const {
   try {
     result.folder = folder_ / key(job);
   } catch (const InputError& error) {
-    result.failure = error.what();
+    result.failure = message_of(error);
     return result;
   }
   if (!has_result(result.folder)) return compute(job, std::move(result));

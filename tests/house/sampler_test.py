@@ -140,6 +140,14 @@ class Switch(unittest.TestCase):
         return subprocess.run([pathlib.Path(self.folder.name) / name], check=True, capture_output=True, text=True,
                               env=os.environ | environment).stdout
 
+    def test_a_list_of_constant_texts_stays_one(self):
+        text = 'constexpr const char* names[] = {"solid", "dashed"};\nconstexpr double list[] = {0.5};\n'
+        found = {n: m for n, m in enumerate(mutants_of("a.cpp", text), 1)}
+        self.assertTrue(found)
+        new = numbered(text, found, "switch.hpp")
+        self.assertNotIn("const const", new)
+        self.assertIn("inline const double", new)
+
     def test_off_changes_nothing(self):
         self.assertEqual(self.run_program("mutated"), self.run_program("main"))
 

@@ -57,6 +57,9 @@ TEST(WorkPrecision, WhatCannotBeBuiltIsAPointWithoutError) {
     EXPECT_EQ(point.refused, point.variant == 0);
     EXPECT_EQ(std::isnan(point.error), point.refused);
     EXPECT_EQ(point.failure.has_value(), point.refused);
+    if (point.refused) {
+      EXPECT_EQ(point.failure->back(), '.') << *point.failure;  // sentences
+    }
     EXPECT_FALSE(point.refused && (point.front_cpu || point.front_work));
   }
   for (const auto& cheapest : result.cheapest) EXPECT_EQ(cheapest.variant, 1u);

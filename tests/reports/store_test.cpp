@@ -108,6 +108,7 @@ TEST_F(StoreOfResults, InterruptedStudyIsNotKept) {
 TEST_F(StoreOfResults, MissingInputIsSaid) {
   fs::remove(folder / "scene.toml");
   EXPECT_NE(get().failure.find("scene.toml"), std::string::npos);
+  EXPECT_EQ(get().failure.back(), '.') << get().failure;
   EXPECT_EQ(calls(), 0u);
 }
 

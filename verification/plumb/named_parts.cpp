@@ -51,7 +51,18 @@ const std::map<std::pair<std::string, std::string>, std::pair<std::string, std::
       {{"jst level", "transpose"}, {"L^T V L, dissipative by construction", "THEORY (6.4)"}},
       {{"boundary kind", "clamped"}, {"the velocity is zero", ""}},
       {{"boundary kind", "roller"}, {"the velocity normal to a face is zero", ""}},
-      {{"boundary kind", "velocity"}, {"the velocity is given by formulas", ""}}};
+      {{"boundary kind", "velocity"}, {"the velocity is given by formulas", ""}},
+      {{"boundary kind", "displacement"}, {"the displacement is given by formulas", ""}},
+      {{"boundary kind", "traction"}, {"a force per reference area, which keeps its direction", ""}},
+      {{"boundary kind", "pressure"}, {"a pressure, which follows the surface", ""}},
+      {{"paper", "000"}, {"improved gradient, symmetrised force, RK3 and JST, as printed", ""}},
+      {{"paper", "003"}, {"the mixed system with tributary volumes and upwinding, as printed", ""}},
+      {{"scheme", "tlsph"}, {"total Lagrangian SPH of paper 000, in displacements", ""}},
+      {{"scheme", "implicit"}, {"equilibria and the midpoint rule by Newton's method, paper 004", ""}},
+      {{"scheme", "mixed"}, {"first-order system for velocity and deformation, paper 003", ""}},
+      {{"compatible table", "auto"}, {"the closed form where there is one, else projected", ""}},
+      {{"compatible table", "closed-form"}, {"exact products of lines, of node lattices of a box", ""}},
+      {{"compatible table", "projected"}, {"the nearest table, by one linear solve at set-up", ""}}};
   return all;
 }
 

@@ -98,6 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
                "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n",
                {"integrator verlet", loops, closest, "supports", "prescribed velocities"},
                {}},
+        Wanted{
+            "Projection", "[projection]\n", {"integrator verlet", loops, closest, "force", "projection"}, {}},
         Wanted{"Jittered", "", {"integrator verlet", closest}, {"body.jitter=0.2"}}),
     [](const auto& scene) { return scene.param.name; });
 

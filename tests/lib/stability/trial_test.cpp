@@ -84,7 +84,9 @@ TEST(Trial, ASceneThatCannotBeBuiltIsRefusedAndNotStable) {
   const Trial t = trial({"method.gradient=compatible", "method.beta=0.55", "body.jitter=0.3"}, {});
   EXPECT_FALSE(t.cause) << "nothing ran";
   EXPECT_FALSE(t.stable());
-  EXPECT_NE(t.refused, "");
+  // sentences: the problem and why, each with its stop
+  EXPECT_NE(t.refused.find(". "), std::string::npos) << t.refused;
+  EXPECT_EQ(t.refused.back(), '.') << t.refused;
   EXPECT_TRUE(trial({}, {}).stable());
 }
 

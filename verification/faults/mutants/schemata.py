@@ -33,6 +33,9 @@ inline bool plumb_mutant(int number) {
 }
 """
 
+# Lines that bear another name look like those of a header, in which lambdas must not hold what a namespace without name has.
+QUIET = '#pragma GCC diagnostic ignored "-Wsubobject-linkage"\n'
+
 
 @dataclasses.dataclass(frozen=True)
 class Mutant:
@@ -92,10 +95,11 @@ def numbered(text, mutants, switch):
         pieces.append((first, last, chosen_at_run_time(text, first, last, region, members)))
     dropped = {m.region.constexpr: m.region.function for m in mutants.values() if m.region.constexpr >= 0}
     for at, function in dropped.items():
-        pieces.append((tokens[at].start, tokens[at].end, "inline" if function else "inline const"))
+        already = function or tokens[at + 1].text == "const"
+        pieces.append((tokens[at].start, tokens[at].end, "inline" if already else "inline const"))
     for first, last, new in sorted(pieces, reverse=True):
         text = text[:first] + new + text[last:]
-    return f'#include "{switch}"\n#line 1 "{next(iter(mutants.values())).file}"\n' + text
+    return f'{QUIET}#include "{switch}"\n#line 1 "{next(iter(mutants.values())).file}"\n' + text
 
 
 def chosen_at_run_time(text, first, last, region, members):

@@ -11,6 +11,7 @@
 #include "plumb/session.hpp"
 #include "plumb/spectrum_output.hpp"
 #include "plumb/symbol_output.hpp"
+#include "plumbline/core/sentences.hpp"
 #include "plumbline/output/file.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/tlsph.hpp"
@@ -87,7 +88,7 @@ Json refused_row(const std::vector<std::string>& set, const InputError& error) {
   Json row = row_of(set, spectrum_json(Spectrum{}, Scene{}, 1, 0));
   for (auto& value : row)
     if (value.is_number() || value.is_boolean()) value = nullptr;
-  row["status"] = "refused: " + error.problem() + (error.why().empty() ? "" : " (" + error.why() + ")");
+  row["status"] = "refused: " + sentences(error.problem(), error.why(), "");
   return row;
 }
 
