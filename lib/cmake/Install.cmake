@@ -54,6 +54,8 @@ if(TARGET plumb)
               COMPONENT program)
     endif()
   endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
+          COMPONENT program)
   set(shell_files ${PROJECT_BINARY_DIR}/generated/shell)
   install(FILES ${shell_files}/plumb.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES ${shell_files}/plumb.bash RENAME plumb DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions

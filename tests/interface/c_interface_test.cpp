@@ -170,6 +170,23 @@ TEST(CInterface, RefusalsHaveCodesAndMessages) {
   plumb_free(nullptr);
 }
 
+TEST(CInterface, NormsWeighErrorAndExactField) {
+  const double values[4] = {3, 4, 1, 1}, exact[4] = {0, 0, 1, 3}, weights[2] = {0.25, 2};
+  plumb_norms norms;
+  ASSERT_EQ(plumb_field_error(2, 2, values, exact, weights, &norms), PLUMB_OK);
+  EXPECT_DOUBLE_EQ(norms.l2, std::sqrt(0.25 * 25 + 2 * 4));
+  EXPECT_DOUBLE_EQ(norms.exact_l2, std::sqrt(2 * 10.0));
+  EXPECT_DOUBLE_EQ(norms.relative_l2, norms.l2 / norms.exact_l2);
+  EXPECT_EQ(norms.linf, 5);
+  EXPECT_EQ(norms.worst, 0u);
+  ASSERT_EQ(plumb_field_error(2, 2, values, nullptr, nullptr, &norms), PLUMB_OK);
+  EXPECT_DOUBLE_EQ(norms.l2, std::sqrt((25 + 2) / 2.0));
+  EXPECT_TRUE(std::isnan(norms.relative_l2));
+  const double negative[2] = {1, -1};
+  EXPECT_EQ(plumb_field_error(2, 2, values, exact, negative, &norms), PLUMB_BAD_INPUT);
+  EXPECT_EQ(plumb_field_error(0, 2, values, exact, weights, &norms), PLUMB_BAD_INPUT);
+}
+
 TEST(CInterface, OrdersAreThoseOfTheLibrary) {
   const double h[5] = {0.4, 0.2, 0.1, 0.05, 0.025}, e[5] = {0.33, 0.081, 0.0199, 0.00502, 0.00124}, two = 2;
   std::vector<Level> levels;
