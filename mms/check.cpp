@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mms/catalogue.hpp"
+#include "mms/central_difference.hpp"
 #include "mms/derive.hpp"
 #include "plumbline/material/laws.hpp"
 
@@ -13,14 +14,6 @@ namespace plumb::mms {
 namespace {
 
 using Real = long double;
-
-/// Central difference of eighth order of f at 0, step h; for any value with + and *.
-template <class Function>
-auto derivative(const Function& f, Real h) {
-  const auto pair = [&](int k) { return (f(k * h) - f(-k * h)).eval(); };
-  return ((pair(1) * (4.0L / 5) - pair(2) * (1.0L / 5) + pair(3) * (4.0L / 105) - pair(4) * (1.0L / 280)) / h)
-      .eval();
-}
 
 template <class Function>
 auto second_derivative(const Function& f, Real h) {
@@ -65,15 +58,17 @@ template <int d, class S, class M>
 Second<d> second_derivation(const S& solution, const M& material, double density, const Vec<d>& at,
                             double time) {
   const Vec<d, Real> X = at.template cast<Real>();
-  const Real t = time, h = 0.00125L * solution.template domain<d>().length(), tau = 0.002L * solution.period();
+  const Real t = time, h = 0.00125L * solution.template domain<d>().length(),
+             tau = 0.002L * solution.period();
   const auto in_time = [&](Real e) { return solution.template displacement<d>(X, t + e); };
   const auto stress = [&](const Vec<d, Real>& Y) -> Mat<d, Real> {
     return material.first_piola(gradient<d>(solution, Y, t));
   };
   Vec<d, Real> divergence = Vec<d, Real>::Zero();
   for (int A = 0; A < d; ++A)
-    divergence += derivative([&](Real e) -> Mat<d, Real> { return stress(shifted<d>(X, A, e)); }, h).col(A);
-  return {derivative(in_time, tau).template cast<double>(),
+    divergence +=
+        central_difference([&](Real e) -> Mat<d, Real> { return stress(shifted<d>(X, A, e)); }, h).col(A);
+  return {central_difference(in_time, tau).template cast<double>(),
           (density * second_derivative(in_time, tau)).template cast<double>(),
           divergence.template cast<double>(), stress(X).template cast<double>()};
 }

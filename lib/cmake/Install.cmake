@@ -17,12 +17,22 @@ foreach(part mms oned reports)  # included as "mms/..": their include directory 
     get_target_property(target plumbline::${part} ALIASED_TARGET)
     target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/plumbline>)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline
-            COMPONENT library FILES_MATCHING PATTERN "*.hpp" PATTERN "out" EXCLUDE)
+            COMPONENT library FILES_MATCHING PATTERN "*.hpp" PATTERN "out" EXCLUDE PATTERN "mms/c" EXCLUDE)
   endif()
 endforeach()
 if(EXISTS ${PROJECT_BINARY_DIR}/generated/mms)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/generated/mms DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline
           COMPONENT library)
+endif()
+
+# The interface for other languages: the shared library, one header, a Fortran module as source, a Python module.
+if(TARGET plumbline::c)
+  install(TARGETS plumbline_c EXPORT plumblineTargets
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT interface NAMELINK_COMPONENT library)
+  install(FILES ${PROJECT_SOURCE_DIR}/mms/c/plumbline.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
+  install(FILES ${PROJECT_SOURCE_DIR}/mms/c/plumbline.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/fortran COMPONENT library)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/mms/c/python/plumbline DESTINATION lib/python3/dist-packages COMPONENT python
+          FILES_MATCHING PATTERN "*.py")
 endif()
 
 install(EXPORT plumblineTargets NAMESPACE plumbline:: DESTINATION ${plumbline_package_dir} COMPONENT library)
@@ -44,6 +54,8 @@ if(TARGET plumb)
               COMPONENT program)
     endif()
   endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
+          COMPONENT program)
   set(shell_files ${PROJECT_BINARY_DIR}/generated/shell)
   install(FILES ${shell_files}/plumb.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES ${shell_files}/plumb.bash RENAME plumb DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions

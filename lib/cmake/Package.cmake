@@ -1,4 +1,5 @@
-# Debian packages: `plumbline` (program, scenes, manual, completion) and `libplumbline-dev` (libraries, headers, CMake package).
+# Debian packages: `plumbline` (program, scenes, manual, completion), `libplumbline-dev` (libraries, headers, CMake package),
+# `libplumbline-c1` (the shared library for other languages) and `python3-plumbline`.
 #   cmake --workflow --preset package
 # They are built for any x86-64 machine since about 2010 (-march=x86-64-v2): a package does not know where it will run, and a
 # program for one machine's instructions dies on another. The price is the speed of wide vectors (README.md, Limits).
@@ -9,7 +10,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "total Lagrangian SPH for solids, checked 
 set(CPACK_PACKAGE_CONTACT "the Plumbline authors <plumbline@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_COMPONENTS_ALL program library interface python)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -36,6 +37,15 @@ endforeach()
 list(JOIN libraries ", " libraries)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libplumbline-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${libraries}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libplumbline-c1 (= ${PROJECT_VERSION}), ${libraries}")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "g++, cmake")
+
+set(CPACK_DEBIAN_INTERFACE_PACKAGE_NAME libplumbline-c1)  # the number is PLUMB_INTERFACE of plumbline.h
+set(CPACK_DEBIAN_INTERFACE_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_INTERFACE_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_INTERFACE_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-plumbline)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, libplumbline-c1 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-numpy")
 include(CPack)

@@ -141,4 +141,18 @@ GridFit fit_grids(std::span<const Sample> samples) {
   return out;
 }
 
+std::string_view name_of(GridFit::Expansion expansion) {
+  switch (expansion) {
+    case GridFit::Expansion::power:
+      return "limit + a h^p";
+    case GridFit::Expansion::first:
+      return "limit + a h";
+    case GridFit::Expansion::second:
+      return "limit + a h^2";
+    case GridFit::Expansion::first_and_second:
+      break;
+  }
+  return "limit + a h + b h^2";
+}
+
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "plumbline/convergence/richardson.hpp"
@@ -43,5 +44,8 @@ struct GridFit {
 /// sigma/Delta phi (error + sigma + |value - fitted|). Throws InputError for fewer grids, and as
 /// fine_to_coarse().
 GridFit fit_grids(std::span<const Sample> samples);
+
+/// Gives the expansion as people write it: "limit + a h^p".
+std::string_view name_of(GridFit::Expansion expansion);
 
 }  // namespace plumb

@@ -136,4 +136,18 @@ double order_from_finest(double seen, double ratio) {
   return std::log(power) / std::log(ratio);
 }
 
+std::string_view name_of(Extrapolation::Behaviour behaviour) {
+  switch (behaviour) {
+    case Extrapolation::Behaviour::monotone:
+      return "monotone";
+    case Extrapolation::Behaviour::oscillatory:
+      return "oscillatory";
+    case Extrapolation::Behaviour::divergent:
+      return "divergent";
+    case Extrapolation::Behaviour::converged:
+      break;
+  }
+  return "converged";
+}
+
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "plumbline/convergence/order_fit.hpp"
@@ -62,5 +63,8 @@ std::vector<Level> errors_against(std::span<const Sample> samples, const Sample&
 double order_seen_against_finest(double order, double ratio);
 /// Its inverse: log_r(r^seen - 1). Throws InputError if no positive order can show `seen` (seen <= log_r 2).
 double order_from_finest(double seen, double ratio);
+
+/// Gives the word of a behaviour, as in words.hpp: "monotone", "oscillatory".
+std::string_view name_of(Extrapolation::Behaviour behaviour);
 
 }  // namespace plumb

@@ -65,6 +65,7 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   ended.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ended.cpu_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+  ended.peak_rss = 1024.0 * static_cast<double>(used.ru_maxrss);
   return ended;
 }
 

@@ -9,6 +9,7 @@ namespace plumb::reports::run {
 struct Ended {
   int exit_code = 0;
   double wall_s = 0, cpu_s = 0;
+  double peak_rss = 0;  ///< largest memory of the program or of one that it started [bytes]
 };
 
 /// Runs `program` with `arguments` in `folder`; what it says on both outputs goes to `messages`.

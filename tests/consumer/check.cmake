@@ -7,7 +7,9 @@ function(run)
     message(FATAL_ERROR "failed: ${ARGV}")
   endif()
 endfunction()
-run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/prefix)
+foreach(component library interface python)
+  run(${CMAKE_COMMAND} --install ${BUILD} --component ${component} --prefix ${WORK}/prefix)
+endforeach()
 if(EXISTS ${BUILD}/bin/plumb)  # the program, its manual and completion, and scenes where the help says they are
   run(${CMAKE_COMMAND} --install ${BUILD} --component program --prefix ${WORK}/prefix)
   set(installed ${WORK}/prefix)
@@ -36,3 +38,7 @@ run(${WORK}/build/own)
 run(${WORK}/build/consumer)
 run(${WORK}/build/rooms)
 run(${WORK}/build/springs)
+run(${WORK}/build/page)
+# programs in other languages find the interface in the prefix alone
+run(${CMAKE_COMMAND} -E env --unset=PLUMBLINE_LIBRARY PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${WORK}/prefix/lib/python3/dist-packages
+    /usr/bin/python3 ${SOURCE}/../interface/interface_test.py)

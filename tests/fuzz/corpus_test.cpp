@@ -101,6 +101,12 @@ TEST(Corpus, Expression) {
 TEST(Corpus, Field) {
   replay("field", fuzz::field, 20000);
 }
+TEST(Corpus, Table) {
+  replay("table", fuzz::table, 20000);
+}
+TEST(Corpus, Points) {
+  replay("points", fuzz::points, 10000);
+}
 TEST(Corpus, Checkpoint) {
   replay("checkpoint", fuzz::checkpoint, 2000);
 }

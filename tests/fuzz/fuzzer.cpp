@@ -5,7 +5,11 @@
 #include <cstdlib>
 #include <ctime>
 
+#ifdef PLUMB_FUZZ_POINTS  // the readers of points and tables need little else
+#include "tests/fuzz/points.hpp"
+#else
 #include "tests/fuzz/targets.hpp"
+#endif
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // a second of CPU time: libFuzzer's own -timeout looks at the clock, and a busy machine would raise false

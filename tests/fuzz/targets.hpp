@@ -1,25 +1,16 @@
 #pragma once
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "oned/field.hpp"
-#include "plumbline/core/error.hpp"
 #include "plumbline/input/expression.hpp"
 #include "plumbline/output/sealed.hpp"
 #include "plumbline/run/checkpoint.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/study.hpp"
+#include "tests/fuzz/points.hpp"
 
-/// What may be fed with any bytes: each function reads them as the program would. InputError is the one right
-/// answer to bytes that cannot be used; anything else that is thrown, and anything accepted that breaks its
-/// promise, is a fault.
 namespace plumb::fuzz {
-
-/// `what` must hold of whatever was accepted.
-inline void promise(bool holds, const char* what) {
-  if (!holds) throw std::logic_error(std::string("accepted, but ") + what);
-}
 
 inline bool good(double value) {
   return value > 0 && std::isfinite(value);
@@ -148,16 +139,6 @@ inline void checkpoint(const std::string& bytes) {
                                                   : bytes,
                                      "file");
   promise(!c.state.fields.empty() && is_finite(c), "state");
-}
-
-/// The call with its one right kind of refusal taken as an answer.
-template <class Target>
-void feed(Target&& target, const std::string& bytes) {
-  try {
-    target(bytes);
-  } catch (const InputError&) {
-    return;
-  }
 }
 
 }  // namespace plumb::fuzz

@@ -22,7 +22,7 @@ root=$work/bookworm
 rm -rf "$root"
 if [ -n "${PLUMBLINE_CHROOT:-}" ]; then cp -a "$PLUMBLINE_CHROOT" "$root"; else debootstrap --variant=minbase bookworm "$root" "$mirror"; fi
 mkdir "$root/packages" && cp "$packages"/*.deb "$root/packages/"
-cp -r "$source/tests/consumer" "$root/packages/consumer"
+cp -r "$source/tests/consumer" "$source/tests/interface" "$root/packages/"
 cat >"$root/packages/try" <<'TRY'
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
@@ -41,15 +41,16 @@ plumb list | grep -q bending-column
 test -s /usr/share/man/man1/plumb.1.gz
 bash -c '. /usr/share/bash-completion/completions/plumb; COMP_WORDS=(plumb exp); COMP_CWORD=1; _plumb; [ "${COMPREPLY[*]}" = explain ]'
 # the library, with everything that its users need and nothing else
-apt-get install -q -y --no-install-recommends /packages/libplumbline-dev_*.deb g++ cmake ninja-build
+apt-get install -q -y --no-install-recommends /packages/lib*plumbline*.deb /packages/python3-plumbline_*.deb g++ cmake ninja-build
 cmake -G Ninja -S /packages/consumer -B /tmp/consumer -DCMAKE_BUILD_TYPE=Release
 cmake --build /tmp/consumer
-for program in own consumer rooms; do "/tmp/consumer/$program"; done
+for program in own consumer rooms page; do "/tmp/consumer/$program"; done
+python3 -B /packages/interface/interface_test.py
 # gone without a trace
-dpkg -L plumbline libplumbline-dev | sort -u >/packages/owned
-apt-get purge -q -y plumbline libplumbline-dev
+dpkg -L plumbline libplumbline-dev libplumbline-c1 python3-plumbline | sort -u >/packages/owned
+apt-get purge -q -y plumbline libplumbline-dev libplumbline-c1 python3-plumbline
 files >/packages/after
-! dpkg -l plumbline libplumbline-dev 2>/dev/null | grep '^ii' || { echo "still installed"; exit 1; }
+! dpkg -l plumbline libplumbline-dev libplumbline-c1 python3-plumbline 2>/dev/null | grep '^ii' || { echo "still installed"; exit 1; }
 while read -r path; do [ -d "$path" ] || ! grep -qxF "$path" /packages/after || { echo "left behind: $path"; exit 1; }; done </packages/owned
 ! grep plumb /packages/after || { echo "left behind"; exit 1; }
 echo "installed, used, removed"

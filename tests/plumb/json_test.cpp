@@ -57,6 +57,9 @@ const std::vector<std::string> calls{
     "extrapolate --spacings 0.4,0.2,0.1 --values 1.16,1.04,1.01 --reference 0.001,1.0",
     "judge {}/errors.csv --expect 2",
     "judge {}/errors.csv --limit unknown",
+    "judge --particles @campaigns/first.csv --solution standing-wave --dimension 2 --time 0",
+    "campaign @campaigns/finite_elements.toml --out {}/campaign",
+    "compare @campaigns/first.csv @campaigns/second.csv",
     "verdicts",
     "material @material/sheet.toml",
     "bench --case adjoint-verlet-2d --n 1000 --repeats 1 --seconds 0.001",
@@ -99,7 +102,7 @@ message = "plumb: unknown command \"frobnicate\"<any>"
   std::string call = GetParam();
   for (auto at = call.find("{}"); at != std::string::npos; at = call.find("{}"))
     call.replace(at, 2, folder.path().string());
-  if (const auto at = call.find('@'); at != std::string::npos) call.replace(at, 1, tree);
+  for (auto at = call.find('@'); at != std::string::npos; at = call.find('@')) call.replace(at, 1, tree);
   const auto outcome = run_plumb(call + " --quiet --threads 1 --json -");
   EXPECT_EQ(complaints(outcome.out), "") << call << '\n' << outcome.error;
   const json document = json::parse(outcome.out);

@@ -10,34 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view name_of(Extrapolation::Behaviour behaviour) {
-  switch (behaviour) {
-    case Extrapolation::Behaviour::monotone:
-      return "monotone";
-    case Extrapolation::Behaviour::oscillatory:
-      return "oscillatory";
-    case Extrapolation::Behaviour::divergent:
-      return "divergent";
-    case Extrapolation::Behaviour::converged:
-      break;
-  }
-  return "converged";
-}
-
-std::string_view name_of(GridFit::Expansion expansion) {
-  switch (expansion) {
-    case GridFit::Expansion::power:
-      return "limit + a h^p";
-    case GridFit::Expansion::first:
-      return "limit + a h";
-    case GridFit::Expansion::second:
-      return "limit + a h^2";
-    case GridFit::Expansion::first_and_second:
-      break;
-  }
-  return "limit + a h + b h^2";
-}
-
 Json json_of(const GridFit& fit) {
   Json grids = Json::array();
   for (const GridUncertainty& grid : fit.grids)

@@ -8,6 +8,7 @@
 #include "mms/manufactured.hpp"
 #include "plumb/commands.hpp"
 #include "plumb/fit_text.hpp"
+#include "plumb/foreign/export_solution.hpp"
 #include "plumb/mms_cost.hpp"
 #include "plumb/mms_output.hpp"
 #include "plumb/run/sittings.hpp"
@@ -30,6 +31,7 @@ struct MmsOptions {
   std::size_t points = 1000;
   std::uint64_t seed = 1;
   SittingOptions sitting;
+  ExportOptions exported;
 };
 
 std::vector<std::string> solution_names() {
@@ -163,7 +165,19 @@ int study(const Session& session, const MmsOptions& options) {
   return exit_code_of(result.status);
 }
 
+/// What stands in the place of a study is the name of a solution.
+int export_named(const Session& session, const MmsOptions& options) {
+  if (options.studies.size() != 1)
+    throw InputError("--export without the name of a solution", "one is written at a time",
+                     "plumb mms --export c swinging-plate");
+  ExportOptions asked = options.exported;
+  asked.solution.name = options.studies.front();
+  asked.solution.overrides = options.overrides;
+  return export_solution(session, asked);
+}
+
 int mms_action(const Session& session, const MmsOptions& options) {
+  if (!options.exported.format.empty()) return export_named(session, options);
   const int asked = int(options.list) + int(!options.check.empty()) + int(!options.studies.empty());
   if (asked != 1)
     throw InputError(asked == 0 ? "nothing was asked for" : "several things were asked for",
@@ -206,7 +220,26 @@ void add_mms(CLI::App& program, Session& session) {
   command.add_option("--repeats", options->repeats, "with --work-precision: timed runs after the first")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
-  command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
+  command
+      .add_option(
+          "--export", options->exported.format,
+          "writes the solution whose name is given, with its loads, as source text, or as a table of values")
+      ->check(CLI::IsMember({"c", "fortran", "python", "csv"}));
+  command.add_option("--dimension", options->exported.solution.dimension, "with --export: 2 or 3")
+      ->check(CLI::IsMember({2, 3}));
+  command
+      .add_option("--at", options->exported.points,
+                  "with --export csv: a file of points (.csv, .vtp, .vtu, dump)")
+      ->type_name("FILE");
+  command.add_option("--time", options->exported.time, "with --export csv: the time, such as \"5 ms\"")
+      ->type_name("TIME");
+  command.add_option("--out", options->exported.out, "with --export: a file (default: standard output)")
+      ->type_name("FILE");
+  command
+      .add_option("--set", options->overrides,
+                  "change one value of the study; with --export a parameter of the solution "
+                  "(parameters.amplitude=0.02) or a "
+                  "key of [material]; may be repeated")
       ->type_name("section.key=value");
   add_sitting_options(command, options->sitting);
   point_to_verdicts(command);

@@ -1,0 +1,52 @@
+#pragma once
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/input/number_table.hpp"
+#include "plumbline/input/point_file.hpp"
+
+/// What may be fed with any bytes: each function reads them as the program would. InputError is the one right
+/// answer to bytes that cannot be used; anything else that is thrown, and anything accepted that breaks its
+/// promise, is a fault.
+namespace plumb::fuzz {
+
+/// `what` must hold of whatever was accepted.
+inline void promise(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(std::string("accepted, but ") + what);
+}
+
+/// The call with its one right kind of refusal taken as an answer.
+template <class Target>
+void feed(Target&& target, const std::string& bytes) {
+  try {
+    target(bytes);
+  } catch (const InputError&) {
+    return;
+  }
+}
+
+inline void table(const std::string& bytes) {
+  const NumberTable table = parse_numbers(bytes, "file");
+  promise(!table.rows.empty(), "no rows");
+  for (const auto& row : table.rows) {
+    promise(row.size() == table.names.size(), "length of a row");
+    for (const double value : row) promise(std::isfinite(value), "number");
+  }
+}
+
+/// The first byte chooses the format: VTK by name, else what the bytes say.
+inline void points(const std::string& bytes) {
+  const bool vtk = !bytes.empty() && bytes[0] == '<';
+  const PointFile file = parse_points(bytes, vtk ? "file.vtu" : "file.csv");
+  promise(file.count > 0 && file.positions.size() == 3 * file.count, "positions");
+  for (const double value : file.positions) promise(std::isfinite(value), "position");
+  for (const PointColumn& column : file.columns) {
+    promise(column.values.size() == file.count * static_cast<std::size_t>(column.components),
+            "length of a column");
+    for (const double value : column.values) promise(std::isfinite(value), "value");
+  }
+}
+
+}  // namespace plumb::fuzz

@@ -1,0 +1,192 @@
+// `plumb judge --particles`: what another program wrote of its points, with the mistakes that such programs
+// make.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+
+#include "mms/exact_fields.hpp"
+#include "places.hpp"
+#include "plumbline/core/error.hpp"
+#include "tests/support/program.hpp"
+
+namespace plumb {
+namespace {
+
+using test::run_shell;
+using Field = std::function<Vec<2>(const Vec<2>& X, double h)>;
+
+const Elastic elastic{17e6, 0.495, 1100};
+constexpr double instant = 0.002;
+
+const mms::ExactFields<2>& plate() {
+  static const auto fields = mms::exact_fields<2>("swinging-plate", {}, elastic, LawChoice("neo-hookean"));
+  return fields;
+}
+Vec<2> exact(const Vec<2>& X, double t = instant) {
+  return plate().motion(X, t).displacement;
+}
+/// What a discretisation adds: a smooth error that is no multiple of the solution.
+Vec<2> wiggle(const Vec<2>& X) {
+  return {std::sin(2 * X[0]) * X[1], std::cos(X[0] + X[1])};
+}
+
+/// Files level_0.csv .. of the plate on [0, 2]^2 with n = 5, 10, 20, 40 cells an edge, cell layout.
+struct Files {
+  test::TemporaryFolder folder;
+  explicit Files(const Field& u, const std::string& more = "", int first = 5) {
+    for (int level = 0; level < 4; ++level) {
+      const int n = first << level;
+      std::ofstream file(folder / ("level_" + std::to_string(level) + ".csv"));
+      file << std::setprecision(17) << "x [m],y [m],ux [m],uy [m]" << (more.empty() ? "" : ",vx,vy") << '\n';
+      const double h = 2.0 / n;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const Vec<2> X((i + 0.5) * h, (j + 0.5) * h), at = u(X, h);
+          file << X[0] << ',' << X[1] << ',' << at[0] << ',' << at[1];
+          if (!more.empty()) {
+            const Vec<2> v = plate().motion(X, instant + std::stod(more)).velocity;
+            file << ',' << v[0] << ',' << v[1];
+          }
+          file << '\n';
+        }
+    }
+  }
+};
+
+test::Outcome judge(const Files& files, const std::string& options = "--expect 2") {
+  return run_shell("cd '" + files.folder.path().string() +
+                   "' && " PLUMB_EXECUTABLE
+                   " judge --particles level_0.csv level_1.csv level_2.csv level_3.csv --solution "
+                   "swinging-plate --time 0.002 " +
+                   options);
+}
+
+std::string causes(const test::Outcome& outcome) {
+  std::string all;
+  const auto result = nlohmann::json::parse(outcome.out);
+  for (const auto& cause : result["causes"]) all += cause.get<std::string>() + '\n';
+  return all;
+}
+
+TEST(JudgeParticles, AConvergingCodePasses) {
+  const Files files([](const Vec<2>& X, double h) { return Vec<2>(exact(X) + 1e-3 * h * h * wiggle(X)); },
+                    "0");
+  const auto outcome = judge(files, "--error l2,linf --expect 2 --json -");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.error;
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(result["status"], "pass");
+  ASSERT_EQ(result["levels"].size(), 4u);
+  for (int level = 0; level < 4; ++level) {
+    const auto& row = result["levels"][level];
+    const double h = 0.4 / (1 << level);
+    EXPECT_NEAR(row["h"].get<double>(), h, 1e-9);
+    EXPECT_NEAR(row["volume"].get<double>(), 4, 1e-9);  // of Voronoi cells
+    double sum = 0;                                     // the midpoint rule for the error that was put in
+    const int n = 5 << level;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) sum += h * h * wiggle(Vec<2>((i + 0.5) * h, (j + 0.5) * h)).squaredNorm();
+    EXPECT_NEAR(row["l2"].get<double>(), 1e-3 * h * h * std::sqrt(sum), 1e-12);
+    EXPECT_NEAR(row["velocity_l2"].get<double>(), 0, 1e-9);
+    EXPECT_NEAR(std::pow(row["l2_inside"].get<double>(), 2) + std::pow(row["l2_boundary"].get<double>(), 2),
+                std::pow(row["l2"].get<double>(), 2), 1e-15);
+  }
+}
+
+TEST(JudgeParticles, AWrongTimeLevelIsNamed) {
+  const Files files(
+      [](const Vec<2>& X, double h) { return Vec<2>(exact(X, instant + 4e-4) + 1e-3 * h * h * wiggle(X)); },
+      "4e-4");
+  const auto outcome = judge(files, "--expect 2 --json -");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(causes(outcome).find("It is the exact displacement of 0.000"), 0u) << causes(outcome);
+  EXPECT_NE(causes(outcome).find("s later: a wrong time level"), std::string::npos) << causes(outcome);
+}
+
+TEST(JudgeParticles, ASlipOfUnitsIsNamed) {
+  const Files files(
+      [](const Vec<2>& X, double h) { return Vec<2>(1000 * (exact(X) + 1e-3 * h * h * wiggle(X))); });
+  EXPECT_NE(causes(judge(files, "--expect 2 --json -")).find("a power of ten: a slip of units"),
+            std::string::npos);
+}
+
+TEST(JudgeParticles, ExchangedComponentsAreNamed) {
+  const Files files([](const Vec<2>& X, double) { return Vec<2>(exact(X).reverse()); });
+  EXPECT_NE(causes(judge(files, "--expect 2 --json -")).find("components are exchanged"), std::string::npos);
+}
+
+// First order in the row along the edges, second order elsewhere: the orders of both parts say so.
+TEST(JudgeParticles, AnErrorAtTheBoundaryIsNamed) {
+  const Files files(
+      [](const Vec<2>& X, double h) {
+        const double edge = std::min({X[0], X[1], 2 - X[0], 2 - X[1]});
+        return Vec<2>(exact(X) + (1e-4 * h * h + (edge < h ? 0.1 * h : 0)) * wiggle(X));
+      },
+      "", 10);
+  const auto text = causes(judge(files, "--error l2 --expect 2 --json -"));
+  EXPECT_NE(text.find("look at boundary values and supports"), std::string::npos) << text;
+  EXPECT_NE(text.find("l2_inside 2.0"), std::string::npos) << text;
+}
+
+// The load of another law: the error stalls inside, and that is said.
+TEST(JudgeParticles, AWrongLoadIsOfTheInside) {
+  const Files files([](const Vec<2>& X, double h) {
+    const double bump = X[0] * (2 - X[0]) * X[1] * (2 - X[1]);
+    return Vec<2>(exact(X) + (1e-4 * bump + 1e-3 * h * h) * wiggle(X));
+  });
+  const auto outcome = judge(files, "--expect 2 --json -");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(causes(outcome).find("look at the load, the law and its constants inside"), std::string::npos)
+      << causes(outcome);
+}
+
+TEST(JudgeParticles, RunsOfOneLevelAreTakenTogether) {
+  const Files files([](const Vec<2>& X, double h) { return Vec<2>(exact(X) + 1e-3 * h * h * wiggle(X)); });
+  const auto outcome =
+      run_shell("cd '" + files.folder.path().string() +
+                "' && " PLUMB_EXECUTABLE
+                " judge --particles level_0.csv level_1.csv level_1.csv level_2.csv level_3.csv --solution "
+                "swinging-plate --time '2 ms' --expect 2 --json -");
+  const auto rows = nlohmann::json::parse(outcome.out)["fits"][0]["rows"];
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[1]["runs"], 2);
+}
+
+TEST(JudgeParticles, OwnFramesAreJudgedToo) {
+  const test::TemporaryFolder folder;
+  const std::string in = folder.path().string();
+  std::ofstream(folder / "wave.toml") << R"([scene]
+name = "plate"
+dimension = 2
+end_time = "0.2 ms"
+[body]
+shape = "box"
+size = [1, 1]
+spacing = 0.1
+[material]
+model = "neo-hookean"
+young = "17 MPa"
+poisson = 0.3
+density = 1100
+[initial]
+velocity = ["0", "0"]
+[output]
+every = "0.1 ms"
+vtk = true
+)";
+  ASSERT_EQ(run_shell(PLUMB_EXECUTABLE " run " + in + "/wave.toml --out " + in + "/out --quiet").code, 0);
+  // a body at rest is the travelling wave without amplitude
+  const auto outcome = run_shell(PLUMB_EXECUTABLE " judge --particles " + in +
+                                 "/out/particles_000002.vtp --solution travelling-wave --set "
+                                 "parameters.amplitude=0 --time '0.2 ms' --json -");
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_NEAR(result["levels"][0]["h"].get<double>(), 0.1, 1e-6);
+  EXPECT_EQ(result["levels"][0]["n"], 121);
+  EXPECT_LT(result["levels"][0]["l2"].get<double>(), 1e-12);
+  EXPECT_EQ(result["status"], "too-few-levels");
+}
+
+}  // namespace
+}  // namespace plumb
