@@ -1,5 +1,6 @@
 #include "plumbline/geometry/moving_neighbours.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr Index rows_for_threads = 512;
+constexpr Index rows_for_threads = 1500;
 
 /// Particles sorted into cells of a box around them; within a cell in ascending order.
 template <int d>
@@ -76,6 +77,36 @@ void for_near(const Cells<d>& cells, const std::vector<Vec<d>>& x, Index i, doub
       }
     }
 }
+
+/// The rigid motion that a body's particles have made, and how far the others are from it.
+template <int d>
+struct MeanMotion {
+  Vec<d> from = Vec<d>::Zero(), to = Vec<d>::Zero();  ///< mean places [m]
+  Mat<d> turn = Mat<d>::Zero();
+  double members = 0;
+  double turned = 0, shifted = 0;  ///< largest squares of distances from the motion, and from its shift [m^2]
+
+  Vec<d> shift() const { return to - from; }
+  void add_place(const Vec<d>& before, const Vec<d>& now) {
+    from += before;
+    to += now;
+    members += 1;
+  }
+  void close_places() {
+    from /= std::max(1.0, members);
+    to /= std::max(1.0, members);
+  }
+  void add_turn(const Vec<d>& before, const Vec<d>& now) { turn += (now - to) * (before - from).transpose(); }
+  void close_turns() {
+    const Eigen::JacobiSVD<Mat<d>> parts(turn, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    turn = parts.matrixU() * parts.matrixV().transpose();
+    if (turn.determinant() < 0) turn = Mat<d>::Identity();  // a reflection is no motion
+  }
+  void add_rest(const Vec<d>& before, const Vec<d>& now) {
+    turned = std::max(turned, (now - to - turn * (before - from)).squaredNorm());
+    shifted = std::max(shifted, (now - before - shift()).squaredNorm());
+  }
+};
 
 }  // namespace
 
@@ -159,22 +190,20 @@ MovingNeighbours<d>::MovingNeighbours(double reach, double skin, std::vector<int
 
 template <int d>
 double MovingNeighbours<d>::approach(const std::vector<Vec<d>>& x) const {
-  std::vector<Vec<d>> mean(static_cast<std::size_t>(bodies_), Vec<d>::Zero());
-  std::vector<double> members(static_cast<std::size_t>(bodies_), 0.0),
-      most(static_cast<std::size_t>(bodies_), 0.0);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean[body_of(static_cast<Index>(i))] += x[i] - found_at_[i];
-    members[body_of(static_cast<Index>(i))] += 1;
-  }
-  for (int b = 0; b < bodies_; ++b) mean[b] /= std::max(1.0, members[b]);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const int b = body_of(static_cast<Index>(i));
-    most[b] = std::max(most[b], (x[i] - found_at_[i] - mean[b]).squaredNorm());
-  }
+  std::vector<MeanMotion<d>> bodies(static_cast<std::size_t>(bodies_));
+  const auto particles = static_cast<Index>(x.size());
+  for (Index i = 0; i < particles; ++i) bodies[body_of(i)].add_place(found_at_[i], x[i]);
+  for (auto& body : bodies) body.close_places();
+  for (Index i = 0; i < particles; ++i) bodies[body_of(i)].add_turn(found_at_[i], x[i]);
+  for (auto& body : bodies) body.close_turns();
+  for (Index i = 0; i < particles; ++i) bodies[body_of(i)].add_rest(found_at_[i], x[i]);
   double nearer = 0;
-  for (int a = 0; a < bodies_; ++a)
-    for (int b = a; b < bodies_; ++b)
-      nearer = std::max(nearer, std::sqrt(most[a]) + std::sqrt(most[b]) + (mean[a] - mean[b]).norm());
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    nearer = std::max(nearer, 2 * std::sqrt(bodies[a].turned));  // distances do not change by a rigid motion
+    for (std::size_t b = a + 1; b < bodies.size(); ++b)
+      nearer = std::max(nearer, std::sqrt(bodies[a].shifted) + std::sqrt(bodies[b].shifted) +
+                                    (bodies[a].shift() - bodies[b].shift()).norm());
+  }
   return nearer;
 }
 

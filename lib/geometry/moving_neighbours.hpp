@@ -28,6 +28,11 @@ struct PairHistory {
 
   /// Keeps the values of pairs that both lists have; pairs that are new have 0.
   void move_to(std::shared_ptr<const PairList> target);
+  /// Of the values and of their list.
+  std::size_t bytes() const {
+    const std::size_t rows = list ? list->begin.size() : 0;
+    return value.size() * (sizeof(double) + sizeof(std::int32_t)) + rows * sizeof(std::int64_t);
+  }
   /// i, j and the value, one triple after the other, of pairs i < j whose value is not 0.
   std::vector<double> triples() const;
 };
@@ -36,9 +41,9 @@ struct PairHistory {
 PairHistory history_of(const std::vector<double>& triples, Index particles);
 
 /// Keeps a list that holds every pair nearer than `reach`. It is found again when two particles may have come
-/// nearer by the skin than they were: by how far each has moved relative to the mean motion of its body, and
-/// those means relative to each other. Sums over a row in its order, with weights that vanish beyond the
-/// reach, have the same bits however old the list is.
+/// nearer by the skin than they were: by how far each has moved relative to the mean rigid motion of its
+/// body, and those of different bodies by how far the bodies have moved, too. Sums over a row in its order,
+/// with weights that vanish beyond the reach, have the same bits however old the list is.
 template <int d>
 class MovingNeighbours {
  public:

@@ -45,7 +45,7 @@ void finds_all_pairs(Index count, double radius) {
 
 TEST(MovingNeighbours, AllPairsOfAnyCloud) {
   finds_all_pairs<1>(60, 0.11);
-  finds_all_pairs<2>(700, 0.13);  // more rows than one thread takes
+  finds_all_pairs<2>(1600, 0.1);  // more rows than one thread takes
   finds_all_pairs<3>(300, 0.4);
   finds_all_pairs<3>(40, 5);  // all see all
 }
@@ -85,6 +85,31 @@ TEST(MovingNeighbours, SumsDoNotKnowTheAgeOfTheList) {
   EXPECT_EQ(found, kept.searches());
   EXPECT_GT(found, 5);   // 60 steps of 0.014 at most, and 0.05 to go
   EXPECT_LT(found, 21);  // not because of the flight, which is 500 skins long
+}
+
+TEST(MovingNeighbours, ATurnNeedsNoNewList) {
+  const auto first = random_points<2>(100, 1, 41);
+  MovingNeighbours<2> one(0.3, 0.1), two(0.3, 0.1, [] {
+    std::vector<int> body(100, 0);
+    for (int i = 50; i < 100; ++i) body[i] = 1;
+    return body;
+  }());
+  one.update(first);
+  two.update(first);
+  for (int step = 1; step <= 20; ++step) {
+    const double angle = 0.2 * step;
+    Mat<2> R;
+    R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    auto x = first;
+    for (auto& at : x) at = R * at + Vec<2>(step, 0);
+    EXPECT_FALSE(one.update(x));
+    two.update(x);
+    x[3] += Vec<2>(0.2, 0);
+    if (step == 20) {
+      EXPECT_TRUE(one.update(x));
+    }
+  }
+  EXPECT_GT(two.searches(), 5);  // two bodies may come near to each other: their turn counts
 }
 
 TEST(MovingNeighbours, BodiesThatMeetAreSeen) {
