@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/geometry/moving_neighbours.hpp"
 #include "plumbline/run/simulation.hpp"
 
 /// Makes a Simulation of any scheme, once per run.
@@ -48,6 +49,37 @@ void restore_fields(State& state, const std::vector<Index>& places, const std::v
     for (Index i = 0; i < particles; ++i)
       for (int k = 0; k < components; ++k) field[k][places[i]] = from->values[i * components + k];
   });
+}
+
+/// Adds what a state keeps of pairs and of the whole body, as fields of one record each.
+template <class State>
+void save_more(State& state, std::vector<SavedField>& saved) {
+  const auto add = [&](std::string_view name, std::vector<double> values) {
+    if (!values.empty())
+      saved.push_back({std::string(name), static_cast<int>(values.size()), std::move(values)});
+  };
+  if constexpr (requires { state.pair_fields([](std::string_view, PairHistory&) {}); })
+    state.pair_fields([&](std::string_view name, PairHistory& pairs) { add(name, pairs.triples()); });
+  if constexpr (requires { state.whole_fields([](std::string_view, double&) {}); })
+    state.whole_fields([&](std::string_view name, double& value) { add(name, {value}); });
+}
+
+/// InputError if a number of the whole body is missing. A history that is missing is empty.
+template <class State>
+void restore_more(State& state, Index particles, const std::vector<SavedField>& saved) {
+  if constexpr (requires { state.pair_fields([](std::string_view, PairHistory&) {}); })
+    state.pair_fields([&](std::string_view name, PairHistory& pairs) {
+      const SavedField* from = field_named(saved, name);
+      pairs = history_of(from ? from->values : std::vector<double>(), particles);
+    });
+  if constexpr (requires { state.whole_fields([](std::string_view, double&) {}); })
+    state.whole_fields([&](std::string_view name, double& value) {
+      const SavedField* from = field_named(saved, name);
+      if (!from || from->values.size() != 1)
+        throw InputError(fmt::format("the checkpoint does not fit: \"{}\"", name), "it is missing",
+                         "start the run anew, without --resume");
+      value = from->values[0];
+    });
 }
 
 /// The scheme and its state, which live as long as the functions of the simulation.
@@ -160,15 +192,22 @@ requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<
     moving->state.fields([&](const FieldInfo& info, const Field& field) {
       arrays.push_back({std::string(info.name), field.bytes()});
     });
+    if constexpr (requires { moving->state.pair_fields([](std::string_view, PairHistory&) {}); })
+      moving->state.pair_fields([&](std::string_view name, PairHistory& pairs) {
+        arrays.push_back({std::string(name), pairs.bytes()});
+      });
     return arrays;
   };
   simulation.save = [moving] {
-    return SavedState{{moving->state.time, moving->state.step},
-                      counts_of(*moving).work,
-                      saved_fields(moving->state, moving->places)};
+    SavedState saved{{moving->state.time, moving->state.step},
+                     counts_of(*moving).work,
+                     saved_fields(moving->state, moving->places)};
+    save_more(moving->state, saved.fields);
+    return saved;
   };
   simulation.restore = [moving](const SavedState& saved) {
     restore_fields(moving->state, moving->places, saved.fields);
+    restore_more(moving->state, static_cast<Index>(moving->places.size()), saved.fields);
     moving->state.time = saved.now.time;
     moving->state.step = saved.now.step;
   };

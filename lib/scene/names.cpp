@@ -56,11 +56,11 @@ std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});
 }
 std::vector<std::string> paper_names() {
-  return {"000", "003"};
+  return {"000", "002", "003"};
 }
 
 std::vector<std::string> scheme_names() {
-  return {"tlsph", "implicit", "mixed"};
+  return {"tlsph", "implicit", "mixed", "updated"};
 }
 
 std::vector<std::string> wave_speed_names() {

@@ -43,6 +43,12 @@ void set_paper(Method& method) {
     method.cfl = 0.9;  // of its section 8
     return;
   }
+  if (method.paper == "002") {
+    method.scheme = "updated";
+    method.updated = UpdatedOptions::of_paper();
+    method.cfl = method.updated.cfl;
+    return;
+  }
   method.pair = "W1";
   method.gradient = "improved";
   method.momentum = "symmetrised";
@@ -61,18 +67,18 @@ double default_beta(const Method& method, const Body& body) {
   return method.gradient == "compatible" && !fills_box ? 1.2 : method.beta;
 }
 
-/// The scheme "mixed" has a kernel, a table and stages of its own.
-void refuse_keys_of_tlsph(const Section& section) {
+/// The schemes "mixed" and "updated" have a kernel, a table and stages of their own.
+void refuse_keys_of_tlsph(const Section& section, const std::string& scheme) {
   for (const char* key : {"kernel", "beta", "pair", "gradient", "momentum", "integrator", "wave_speed"})
     if (section.has(key))
-      section.fail(key, "contradicts scheme = \"mixed\"",
-                   "that scheme has its own, which section [mixed] chooses",
+      section.fail(key, fmt::format("contradicts scheme = \"{}\"", scheme),
+                   fmt::format("that scheme has its own, which section [{}] chooses", scheme),
                    "leave it out, or use scheme = \"tlsph\"");
 }
 
 /// The section of the scheme, and no section of another one.
 void read_scheme(const Section& root, Method& method) {
-  for (const char* name : {"mixed", "implicit"})
+  for (const char* name : {"mixed", "implicit", "updated"})
     if (root.has(name) && method.scheme != name)
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
@@ -82,12 +88,16 @@ void read_scheme(const Section& root, Method& method) {
   }
   if (const auto section = root.optional_section("implicit"))
     method.implicit = ImplicitOptions::read(*section);
-  if (method.cfl) method.mixed.cfl = *method.cfl;
-  if (method.scheme != "mixed") return;
+  if (const auto section = root.optional_section("updated")) {
+    method.updated = UpdatedOptions::read(*section, method.updated);
+    section->reject_unknown();
+  }
+  if (method.cfl) method.mixed.cfl = method.updated.cfl = *method.cfl;
+  if (method.scheme != "mixed" && method.scheme != "updated") return;
   for (const char* name : {"jst", "hourglass", "projection", "compatible", "damping"})
     if (root.has(name))
-      root.section(name).fail("", "contradicts scheme = \"mixed\"", "it is a part of scheme = \"tlsph\"",
-                              "leave one of them out");
+      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                              "it is a part of scheme = \"tlsph\"", "leave one of them out");
 }
 
 Method read_method_section(const Section& root, const Body& body) {
@@ -103,7 +113,7 @@ Method read_method_section(const Section& root, const Body& body) {
     set_paper(method);
   }
   method.scheme = section->choice_or("scheme", method.scheme, scheme_names());
-  if (method.scheme == "mixed") refuse_keys_of_tlsph(*section);
+  if (method.scheme == "mixed" || method.scheme == "updated") refuse_keys_of_tlsph(*section, method.scheme);
   method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
   method.pair = section->choice_or("pair", method.pair, pair_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
@@ -131,7 +141,7 @@ Method read_method_section(const Section& root, const Body& body) {
 }  // namespace
 
 std::vector<std::string> method_sections() {
-  std::vector<std::string> names{"method", "compatible", "mixed", "implicit"};
+  std::vector<std::string> names{"method", "compatible", "mixed", "implicit", "updated"};
   Method method;
   for_each_part(method, [&]<class Part>(std::optional<Part>&) { names.emplace_back(Part::section); });
   return names;

@@ -18,6 +18,7 @@
 #include "plumbline/run/output_options.hpp"
 #include "plumbline/schemes/implicit/implicit_options.hpp"
 #include "plumbline/schemes/mixed/mixed_options.hpp"
+#include "plumbline/schemes/updated/updated_options.hpp"
 #include "plumbline/time/default_cfl.hpp"
 
 /// The scene file as plain values, in SI units. A section that is left out is a thing that is not built:
@@ -84,7 +85,7 @@ struct Compatible {
 /// the adjoint force, and beta 1.2 where a surface cuts the cloud.
 struct Method {
   std::string scheme = "tlsph";  ///< a name of scheme_names()
-  std::string paper;  ///< "000", "003": keys that are not given are those of that paper; empty: of no paper
+  std::string paper;  ///< "000", "002", "003": keys that are not given are those of that paper; empty: of no paper
   std::string kernel = "cubic";
   double beta = 0.9;                    ///< h/d: the least neighbours with no near-zero modes
   std::string pair = "W1";              ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
@@ -103,6 +104,7 @@ struct Method {
   std::optional<DampingOptions> damping;        ///< absent: no damping
   MixedOptions mixed;                           ///< of scheme "mixed" only
   ImplicitOptions implicit;                     ///< of scheme "implicit" only
+  UpdatedOptions updated;                       ///< of scheme "updated" only
 };
 
 /// Calls use(part) for every optional part of a method, in the order in which their terms act. Readers,

@@ -7,6 +7,7 @@
 #include "plumbline/scene/initial_motion.hpp"
 #include "plumbline/scene/tlsph.hpp"
 #include "plumbline/schemes/mixed/mixed.hpp"
+#include "plumbline/schemes/updated/updated.hpp"
 
 namespace plumb {
 namespace {
@@ -29,13 +30,20 @@ bool does_work(const Actions<d>& actions) {
 }  // namespace
 
 bool has_own_body(const std::string& scheme) {
-  return scheme == "mixed";
+  return scheme == "mixed" || scheme == "updated";
 }
 
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
   const StepControl control = step_control(scene);
   Specimen<d> specimen{std::move(start.cloud), scene.material.law(), scene.material.elastic()};
+  if (scene.method.scheme == Updated<d>::name) {
+    if (scene.body.layout == Layout::mirror)
+      throw InputError("layout = \"mirror\" contradicts scheme = \"updated\"",
+                       "its sums have no images behind a roller", "use layout = \"node\" or \"cell\"");
+    return as_simulation<d>(Updated<d>(std::move(specimen), scene.method.updated, start.actions),
+                            start.motion, control);
+  }
   return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions), start.motion,
                           control);
 }

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(All, Schemes, testing::ValuesIn(scheme_names()),
                          [](const auto& about) { return about.param; });
 
 TEST(SchemesTogether, KeepTheMomentaOfAFreeBody) {
-  for (const std::string scheme : {"tlsph", "mixed"}) {  // an equilibrium has none
+  for (const std::string scheme : {"tlsph", "mixed", "updated"}) {  // an equilibrium has none
     auto simulation = make_simulation<2>(free_plate(scheme)).simulation;
     const Momentum before = simulation.momentum();
     RunHistory history;
@@ -166,8 +166,10 @@ scheme = ")" + scheme + "\"\n",
                      "test.toml");
 }
 
-TEST(SchemesTogether, TheMixedSchemeCarriesPlasticity) {
-  auto simulation = make_simulation<3>(copper_bar("mixed")).simulation;
+class PlasticSchemes : public testing::TestWithParam<std::string> {};
+
+TEST_P(PlasticSchemes, CarryPlasticity) {
+  auto simulation = make_simulation<3>(copper_bar(GetParam())).simulation;
   RunHistory history;
   ASSERT_TRUE(run<3>(simulation, {}, history).completed());
   const Snapshot<3> shown = simulation.snapshot();
@@ -185,6 +187,9 @@ TEST(SchemesTogether, TheMixedSchemeCarriesPlasticity) {
   EXPECT_THROW(copper_bar("tlsph"), InputError);
 }
 
+INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, testing::Values("mixed", "updated"),
+                         [](const auto& about) { return about.param; });
+
 std::string refusal(const std::string& scheme, const std::string& more) {
   try {
     make_simulation<2>(pulled(scheme, more));
@@ -201,7 +206,13 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("tlsph", "[implicit]\n").find("belongs to scheme = \"implicit\""), std::string::npos);
   EXPECT_NE(refusal("implicit", "[initial]\nvelocity = [\"1\", \"0\"]\n").find("an equilibrium has none"),
             std::string::npos);
-  for (const char* scheme : {"mixed", "implicit"})
+  EXPECT_NE(refusal("updated", "kernel = \"cubic\"\n").find("section [updated] chooses"), std::string::npos);
+  EXPECT_NE(refusal("updated", "[damping]\nrate = 5\n").find("contradicts scheme = \"updated\""),
+            std::string::npos);
+  EXPECT_NE(refusal("mixed", "[updated]\n").find("belongs to scheme = \"updated\""), std::string::npos);
+  EXPECT_NE(refusal("updated", "[updated]\nrotation = \"mean\"\n").find("turns with the pair"),
+            std::string::npos);
+  for (const char* scheme : {"mixed", "implicit", "updated"})
     EXPECT_NE(refusal(scheme, "[output]\nbudget = true\n").find("keeps such an account"), std::string::npos);
   EXPECT_EQ(refusal("tlsph", "[output]\nbudget = true\n"), "accepted");
   EXPECT_THROW(make_tlsph<2>(pulled("mixed")), InputError);

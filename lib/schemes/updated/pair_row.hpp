@@ -1,0 +1,145 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plumbline/core/pack.hpp"
+#include "plumbline/schemes/updated/pair_sums.hpp"
+
+namespace plumb {
+
+/// The pairs of one particle that are within the reach, in ascending order of the others, number by number so
+/// that several are worked on at once. What stands here depends on the positions only, not on the age of the
+/// list. Up to `padded` there are more entries, of no weight.
+template <int d>
+class PairRow {
+ public:
+  static constexpr Index width = native_width;
+
+  explicit PairRow(Index longest) : room_(static_cast<std::size_t>(size_for(longest) * (2 * d + 4)), 0.0) {
+    const Index size = size_for(longest);
+    other.resize(static_cast<std::size_t>(size), 0);
+    place.resize(static_cast<std::size_t>(size), 0);
+    double* next = room_.data();
+    const auto take = [&] { return std::exchange(next, next + size); };
+    for (int k = 0; k < d; ++k) r[k] = take();
+    for (int k = 0; k < d; ++k) v[k] = take();
+    weight = take();
+    distance = take();
+    per_r = take();
+    scratch = take();
+  }
+
+  Index count = 0, padded = 0;
+  std::array<double*, d> r{}, v{};  ///< r_ij [m], v_ij [m/s]
+  double* weight = nullptr;         ///< w V_j [1/m^2]
+  double* distance = nullptr;       ///< [m]
+  double* per_r = nullptr;          ///< 1/distance [1/m]; r per_r is 0 for particles at one place
+  double* scratch = nullptr;
+  std::vector<std::int32_t> other;
+  std::vector<std::int64_t> place;  ///< in the list
+
+  void fill(const MovingPairs<d>& pairs, Index i, bool velocities) {
+    const Vec<d> here = pairs.x[i];
+    const double reach = 1 / pairs.slope.per_reach, square = reach * reach;
+    Index m = 0;
+    for (auto n = pairs.list.begin[i]; n < pairs.list.begin[i + 1]; ++n) {
+      const std::int32_t j = pairs.list.other[n];
+      const Vec<d> apart = here - pairs.x[j];
+      const double s = apart.squaredNorm();
+      for (int k = 0; k < d; ++k) r[k][m] = apart[k];
+      distance[m] = s;
+      weight[m] = pairs.V[j];
+      other[m] = j;
+      place[m] = n;
+      m += s < square;
+    }
+    count = m;
+    padded = (m + width - 1) / width * width;
+    for (; m < padded; ++m) {
+      for (int k = 0; k < d; ++k) r[k][m] = 0;
+      distance[m] = square;
+      weight[m] = 0;
+      other[m] = static_cast<std::int32_t>(i);
+    }
+    weigh(pairs.slope);
+    if (velocities) fill_velocities(pairs, i);
+  }
+
+  /// -sum weight a (x) r of numbers by pair.
+  Mat<d> minus_sum(const std::array<double*, d>& a) const {
+    using Real = Pack<native_width>;
+    Mat<d, Real> sum;
+    for (int n = 0; n < d * d; ++n) sum(n / d, n % d) = Real(0);
+    for (Index m = 0; m < padded; m += width) {
+      const Real w = Real::load(weight + m);
+      for (int k = 0; k < d; ++k) {
+        const Real first = w * Real::load(a[k] + m);
+        for (int l = 0; l < d; ++l) sum(k, l) -= first * Real::load(r[l] + m);
+      }
+    }
+    Mat<d> whole;
+    for (int n = 0; n < d * d; ++n) {
+      double one = 0;
+      for (int lane = 0; lane < width; ++lane) one += sum(n / d, n % d)[lane];
+      whole(n / d, n % d) = one;
+    }
+    return whole;
+  }
+
+  Vec<d> r_of(Index m) const {
+    Vec<d> apart;
+    for (int k = 0; k < d; ++k) apart[k] = r[k][m];
+    return apart;
+  }
+  Vec<d> v_of(Index m) const {
+    Vec<d> opening;
+    for (int k = 0; k < d; ++k) opening[k] = v[k][m];
+    return opening;
+  }
+
+ private:
+  /// One more pack than pairs: the last pair that is looked at may be no neighbour.
+  static Index size_for(Index longest) { return (longest + 2 * width) / width * width; }
+
+  void fill_velocities(const MovingPairs<d>& pairs, Index i) {
+    const Vec<d> here = pairs.v[i];
+    for (Index m = 0; m < padded; ++m) {
+      const Vec<d> opening = here - pairs.v[other[m]];
+      for (int k = 0; k < d; ++k) v[k][m] = opening[k];
+    }
+  }
+
+  void weigh(const KernelSlope& slope) {
+#pragma omp simd
+    for (Index m = 0; m < padded; ++m) {
+      const double far = std::sqrt(distance[m]);
+      const double t = std::max(0.0, 1 - far * slope.per_reach);
+      weight[m] *= slope.factor * (t * t * t);
+      distance[m] = far;
+      per_r[m] = 1 / std::max(far, 1e-300);
+    }
+  }
+
+  AlignedVector room_;
+};
+
+/// Calls use(i, row) for all particles, side by side, with the pairs of each.
+template <int d, class Use>
+void for_rows(const MovingPairs<d>& pairs, bool velocities, Use&& use) {
+  const Index particles = pairs.count();
+  std::int64_t longest = 0;
+  for (Index i = 0; i < particles; ++i)
+    longest = std::max(longest, pairs.list.begin[i + 1] - pairs.list.begin[i]);
+#pragma omp parallel if (particles >= particles_for_threads)
+  {
+    PairRow<d> row(longest);
+#pragma omp for schedule(static)
+    for (Index i = 0; i < particles; ++i) {
+      row.fill(pairs, i, velocities);
+      use(i, static_cast<const PairRow<d>&>(row));
+    }
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,115 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "plumbline/core/error.hpp"
+#include "plumbline/material/laws.hpp"
+#include "plumbline/material/models/j2_logarithmic.hpp"
+#include "plumbline/material/return_mapping.hpp"
+
+namespace plumb {
+
+/// exp(dt Omega) of a skew tensor: Rodrigues' formula, (38) of paper 002, by its series where the turn is
+/// small, so that a body without spin needs no case of its own.
+template <int d>
+Mat<d> rotation_of(const Mat<d>& spin, double dt) {
+  const double omega = std::sqrt(0.5) * spin.norm(), angle = omega * dt, square = angle * angle;
+  const bool small = square < 1e-6;  // the next terms, angle^6/5040 and angle^6/20160, are below rounding
+  const double first = small ? 1 - square / 6 * (1 - square / 20) : std::sin(angle) / angle;
+  const double second = small ? 0.5 * (1 - square / 12 * (1 - square / 30)) : (1 - std::cos(angle)) / square;
+  const Mat<d> turn = dt * spin;
+  return Mat<d>::Identity() + first * turn + second * turn * turn;
+}
+
+/// Stress by rates, (4), (8) and (14) of paper 002: linear pressure of the density, a deviator that turns
+/// with the body, and radial return of its elastic trial to a yield stress. The elastic laws of the catalogue
+/// give their bulk and shear modulus, with which they agree for small strains.
+template <int d>
+class RateLaw {
+ public:
+  RateLaw(const LawChoice& choice, const Elastic& elastic, bool plane_strain, bool jaumann,
+          std::optional<double> tension_limit)
+      : bulk(elastic.bulk_modulus()),
+        shear(elastic.shear_modulus()),
+        density(elastic.density),
+        plane_strain_(plane_strain),
+        jaumann_(jaumann),
+        least_pressure_(tension_limit ? -*tension_limit : -std::numeric_limits<double>::infinity()) {
+    if (choice.plane == Plane::stress)
+      throw InputError("scheme = \"updated\" under plane stress", "its rates are those of plane strain",
+                       "leave out [material] plane");
+    require_law(choice, elastic);
+    if (choice.name == J2Logarithmic::name) {
+      yield_.emplace(make_law<J2Logarithmic>(elastic, choice));
+    } else if (has_history(choice.name) || !parameters_of_law(choice.name).empty()) {
+      throw InputError("scheme = \"updated\" with a body of \"" + choice.name + "\"",
+                       "its stress follows rates with one bulk and one shear modulus",
+                       "use model = \"linear-elastic\" or \"j2-logarithmic\"");
+    }
+  }
+
+  double bulk, shear;  ///< K, G [Pa]
+  double density;      ///< rho_0 [kg/m^3]
+
+  bool yields() const { return yield_.has_value(); }
+  double sound_speed() const { return std::sqrt(bulk / density); }  ///< c_0 [m/s]: of the bulk modulus
+  /// p [Pa] at that density (4), or the tension limit.
+  double pressure(double rho) const { return std::max(bulk * (rho / density - 1), least_pressure_); }
+  /// Of compression, per mass [J/kg]: the integral of p drho/rho^2. Without the tension limit.
+  double compression_energy(double rho) const {
+    return bulk / density * (std::log(rho / density) + density / rho - 1);
+  }
+  /// s : s with the part out of the plane.
+  static double square(const Mat<d>& s) {
+    const double out = s.trace();
+    return s.squaredNorm() + (d == 2 ? out * out : 0);
+  }
+  /// Deviator of a rate of deformation (8): that of three dimensions, or of d.
+  Mat<d> deviator(const Mat<d>& rate) const {
+    return rate - rate.trace() / (plane_strain_ ? 3 : d) * Mat<d>::Identity();
+  }
+
+  /// What one particle keeps of its stress.
+  struct Point {
+    Mat<d> s;                ///< deviator [Pa]
+    double plastic = 0;      ///< alpha
+    double work = 0;         ///< plastic, per volume [Pa]
+    double yield_ratio = 1;  ///< of the stress that the last step left to what it tried
+  };
+  /// Moves a point on by dt with that velocity gradient [1/s].
+  void advance(Point& point, const Mat<d>& L, double dt) const {
+    const Mat<d> spin = 0.5 * (L - L.transpose());
+    if (jaumann_) {
+      const Mat<d> turned = spin * point.s;
+      point.s += dt * (turned + turned.transpose());
+    } else {
+      const Mat<d> R = rotation_of<d>(spin, dt);
+      point.s = R * point.s * R.transpose();
+    }
+    point.s += 2 * shear * dt * deviator(0.5 * (L + L.transpose()));
+    give_back(point);
+  }
+  /// Radial return (14) of an elastic trial.
+  void give_back(Point& point) const {
+    point.yield_ratio = 1;
+    if (!yield_) return;
+    const double trial = std::sqrt(1.5 * square(point.s));
+    if (!(trial > yield_->yield_at(point.plastic).value)) return;
+    const double more =
+        plastic_increment(trial, shear, [&](double g) { return yield_->yield_at(point.plastic + g); }).strain;
+    const double left = trial - 3 * shear * more;
+    point.yield_ratio = left / trial;
+    point.s *= point.yield_ratio;
+    point.plastic += more;
+    point.work += left * more;
+  }
+
+ private:
+  bool plane_strain_, jaumann_;
+  double least_pressure_;
+  std::optional<J2Logarithmic> yield_;
+};
+
+}  // namespace plumb

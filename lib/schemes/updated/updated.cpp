@@ -1,0 +1,230 @@
+#include "plumbline/schemes/updated/updated.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumbline/geometry/position_text.hpp"
+#include "plumbline/schemes/updated/pair_row.hpp"
+#include "plumbline/schemes/updated/point_fields.hpp"
+
+namespace plumb {
+namespace {
+
+/// Two particles nearer than this, in spacings, are at one place: their pair has no direction.
+constexpr double one_place = 1e-8;
+/// M of particles whose neighbours span the space has a determinant above this, relative to its trace.
+constexpr double spans = 1e-6;
+
+}  // namespace
+
+template <int d>
+Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions)
+    : specimen_(std::move(specimen)),
+      options_(std::move(options)),
+      law_(specimen_.law, specimen_.elastic, options_.deviator == "plane-strain",
+           options_.stress_update == "jaumann", options_.tension_limit),
+      h_(options_.beta * specimen_.cloud.spacing),
+      slope_(wendland_slope<d>(h_)),
+      neighbours_(2 * h_, options_.skin * specimen_.cloud.spacing) {
+  require_consistent(options_);
+  const Cloud<d>& cloud = specimen_.cloud;
+  if (options_.geometry == "advection" && !options_.reference_speed)
+    throw InputError("geometry = \"advection\" without reference_speed",
+                     "a body at rest would keep its geometry for ever (22)",
+                     "add [updated] reference_speed, the greatest speed that is expected");
+  if (law_.yields() && options_.form == "eno")
+    throw InputError("form = \"eno\" with a yield stress", "its force does not see the stress",
+                     "use form = \"gno\"");
+  const Index n = cloud.size();
+  actions_ = AppliedActions<d>(actions, cloud, Slots{n, 0, 0, 1});
+  for (const double V : cloud.V) mass_.push_back(law_.density * V);
+  x_ = cloud.X;
+  v_.assign(x_.size(), Vec<d>::Zero());
+  force_ = v_;
+  V_ = cloud.V;
+  impedance_.assign(x_.size(), 0.0);
+  pressure_ = heat_ = impedance_;
+  yield_ratio_.assign(x_.size(), 1.0);
+  M_.assign(x_.size(), Mat<d>::Zero());
+  B_ = S_ = M_;
+  near_.assign(x_.size(), 0);
+  acceleration_ = make_field(d);
+  unused_ = make_field(d);
+  next_ = make_state();
+  neighbours_.update(x_);
+  for_rows(pairs(), false, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  for (Index i = 0; i < n; ++i) {
+    for (const auto j : neighbours_.list()->of(i))
+      if ((x_[i] - x_[j]).norm() < one_place * cloud.spacing)
+        throw InputError(fmt::format("particles {} and {} are at one place", i, j),
+                         "a pair without a direction has no force", "move one of them");
+    const Mat<d>& M = M_[i];
+    const double det = M.determinant();
+    if (!(det > spans * std::pow(M.trace() / d, d)))
+      throw InputError(fmt::format("the neighbours of particle {} at {} do not span the space", i,
+                                   position_text<d>(x_[i])),
+                       "its velocity gradient is not defined", "use a smaller spacing");
+    least_det_.push_back(options_.guard * det);
+  }
+}
+
+template <int d>
+UpdatedState<d> Updated<d>::make_state() const {
+  State state;
+  state.v = make_field(d);
+  state.u = make_field(d);
+  state.density = make_field(1);
+  state.stress = make_field(d * d);
+  state.F = make_field(d * d);
+  state.gradient = make_field(d * d);
+  if (law_.yields()) state.plastic = make_field(2);
+  if (options_.dissipation != "none") state.heat = make_field(1);
+  if (options_.conservative()) return state;
+  state.density_rate = make_field(1);
+  if (options_.has_bonds()) state.pull = make_field(d);
+  if (options_.geometry == "advection") state.frozen = make_field(d + 1);
+  return state;
+}
+
+template <int d>
+UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
+  State state = make_state();
+  for (std::size_t i = 0; i < motion.u.size(); ++i)
+    set_vector<d>(state.u, static_cast<Index>(i), motion.u[i]);
+  for (std::size_t i = 0; i < motion.v.size(); ++i)
+    set_vector<d>(state.v, static_cast<Index>(i), motion.v[i]);
+  actions_.impose(0, state.u, state.v, true);
+  for (Index i = 0; i < count(); ++i) {
+    state.density[0][i] = law_.density;
+    set_tensor<d>(state.F, i, Mat<d>::Identity());
+  }
+  if (!motion.u.empty()) deform(state, motion);
+  load(state);
+  neighbours_.update(x_);
+  state.bonds.move_to(neighbours_.list());
+  for (Index i = 0; i < count(); ++i) V_[i] = mass_[i] / state.density[0][i];
+  differentiate(state);
+  return state;
+}
+
+/// Density and stress of the deformation that corrected sums of the reference give: that of Hencky's law.
+template <int d>
+void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
+  const Cloud<d>& cloud = specimen_.cloud;
+  x_ = cloud.X;
+  V_ = cloud.V;
+  v_ = motion.u;
+  neighbours_.update(x_);
+  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+    const Mat<d> F = Mat<d>::Identity() + row.minus_sum(row.v) * row.minus_sum(row.r).inverse();
+    Mat<3> whole = Mat<3>::Identity();
+    whole.template topLeftCorner<d, d>() = F;
+    const LogarithmicStrain strain(whole * whole.transpose());
+    const Mat<3> e = strain.tensor(strain.strain);
+    Point point{2 * law_.shear * law_.deviator(e.template topLeftCorner<d, d>())};
+    law_.give_back(point);
+    store(point, state, i);
+    state.density[0][i] = law_.density / F.determinant();
+    set_tensor<d>(state.F, i, F);
+  });
+}
+
+template <int d>
+typename RateLaw<d>::Point Updated<d>::point_of(const State& state, Index i) const {
+  Point point{tensor_at<d>(state.stress, i)};
+  if (!law_.yields()) return point;
+  point.plastic = state.plastic[0][i];
+  point.work = state.plastic[1][i];
+  return point;
+}
+
+template <int d>
+void Updated<d>::store(const Point& point, State& state, Index i) const {
+  set_tensor<d>(state.stress, i, point.s);
+  if (!law_.yields()) return;
+  state.plastic[0][i] = point.plastic;
+  state.plastic[1][i] = point.work;
+}
+
+template <int d>
+std::optional<Trouble> Updated<d>::load(const State& state) {
+  for_particles(count(), [&](Index i) {
+    x_[i] = specimen_.cloud.X[i] + vector_at<d>(state.u, i);
+    v_[i] = vector_at<d>(state.v, i);
+  });
+  return find_trouble(state);
+}
+
+template <int d>
+std::optional<Trouble> Updated<d>::find_trouble(const State& state) const {
+  for (Index i = 0; i < count(); ++i) {
+    for (int k = 0; k < d; ++k) {
+      if (!std::isfinite(state.u[k][i])) return Trouble{i, "displacement", state.u[k][i]};
+      if (!std::isfinite(state.v[k][i])) return Trouble{i, "velocity", state.v[k][i]};
+    }
+    if (!(state.density[0][i] > 0)) return Trouble{i, "density", state.density[0][i]};
+  }
+  return std::nullopt;
+}
+
+template <int d>
+double Updated<d>::wave_speed() const {
+  if (options_.speed == "bulk") return law_.sound_speed();
+  const LatticeSums sums = lattice_sums<d>(options_.beta);
+  const double in_dimension = options_.deviator == "plane-strain" || d == 3 ? 4.0 / 3 : 1;
+  const double shear =
+      options_.form == "eno" ? std::max(in_dimension, 0.5 * options_.strength(d) * sums.xxxx) : in_dimension;
+  return std::sqrt((law_.bulk + shear * law_.shear) / law_.density);
+}
+
+template <int d>
+double Updated<d>::step_limit(const State& state) const {
+  if (options_.speed != "bulk") return options_.cfl * h_ / wave_speed();
+  double square = 0;
+  for (Index i = 0; i < count(); ++i) square = std::max(square, vector_at<d>(state.v, i).squaredNorm());
+  return options_.cfl * h_ / (wave_speed() + std::sqrt(square));
+}
+
+template <int d>
+std::optional<Trouble> Updated<d>::advance(State& state, double dt) {
+  if (auto trouble = load(state)) return trouble;
+  auto trouble = options_.conservative() ? advance_conservative(state, dt) : advance_printed(state, dt);
+  if (trouble) return trouble;
+  std::swap(state, next_);
+  return std::nullopt;
+}
+
+template <int d>
+void Updated<d>::correct() {
+  Index blended = 0;
+#pragma omp parallel for schedule(static) reduction(+ : blended) if (count() >= particles_for_threads)
+  for (Index i = 0; i < count(); ++i) {
+    const Correction<d> made = correction_of<d>(M_[i], least_det_[i]);
+    B_[i] = made.B;
+    blended += made.kept < 1;
+  }
+  guarded_ += blended;
+}
+
+template <int d>
+void Updated<d>::differentiate(State& state) {
+  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+    M_[i] = row.minus_sum(row.r);
+    S_[i] = row.minus_sum(row.v);
+    near_[i] = static_cast<std::int32_t>(row.count);
+  });
+  correct();
+  counts_ = {};
+  for (Index i = 0; i < count(); ++i) {
+    counts_.pairs += near_[i];
+    counts_.most = std::max<Index>(counts_.most, near_[i]);
+    set_tensor<d>(state.gradient, i, S_[i] * B_[i]);
+  }
+}
+
+template class Updated<2>;
+template class Updated<3>;
+
+}  // namespace plumb
