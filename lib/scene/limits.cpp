@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "plumbline/scene/scheme_simulation.hpp"
+
 namespace plumb {
 
 std::vector<std::string> limits_of(const Scene& scene) {
-  if (scene.method.gradient == "compatible") return {};
+  if (scene.method.gradient == "compatible" || has_own_body(scene.method.scheme)) return {};
   const bool random = scene.body.cloud != "lattice";
   if (random || scene.body.jitter > 0)
     // report section compatible-evidence
