@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "plumbline/hourglass/hourglass.hpp"
+#include "plumbline/hourglass/slope_hourglass.hpp"
 #include "plumbline/input/section.hpp"
 #include "plumbline/solid/part_site.hpp"
 
@@ -10,18 +11,26 @@ namespace plumb {
 
 std::optional<HourglassOptions> HourglassOptions::read(const Section& section) {
   HourglassOptions hourglass;
+  hourglass.weight = section.choice_or("weight", hourglass.weight, {"kernel", "slope"});
+  if (hourglass.weight == "slope") hourglass.alpha = 1;  // as paper 004
   hourglass.alpha = section.number_or("alpha", hourglass.alpha, quantity::number, Sign::not_negative);
   if (hourglass.alpha == 0) return std::nullopt;
   return hourglass;
 }
 
 std::string HourglassOptions::in_words() const {
+  if (weight == "slope")
+    return fmt::format("energy of what no affine motion explains, weights -W' r (paper 004), alpha = {:g}",
+                       alpha);
   return fmt::format("energy of alternating motion, alpha = {:g}", alpha);
 }
 
 template <int d>
 void HourglassOptions::add_to(PartSite<d>& site) const {
-  add_term(site.solid, hourglass_term(site.solid, site.kernel, alpha));
+  if (weight == "slope")
+    add_term(site.solid, slope_hourglass_term(site.solid, site.kernel, alpha, nearest));
+  else
+    add_term(site.solid, hourglass_term(site.solid, site.kernel, alpha));
 }
 
 template void HourglassOptions::add_to(PartSite<2>&) const;

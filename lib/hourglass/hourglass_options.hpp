@@ -9,12 +9,14 @@ class Section;
 template <int d>
 struct PartSite;
 
-/// Chooses the hourglass energy, THEORY (12.1). It is the section [hourglass] of a scene or study; without
-/// the section nothing of it is built.
+/// Chooses the hourglass energy, THEORY (12.1) or (12.3). It is the section [hourglass] of a scene or study;
+/// without the section nothing of it is built.
 struct HourglassOptions {
   static constexpr std::string_view section = "hourglass", subject = "hourglass",
                                     theory = "THEORY (12.1), (12.2)";
 
+  std::string weight = "kernel";  ///< kernel | slope: W, or -W' r about the best affine motion (paper 004)
+  long nearest = 0;               ///< slope: supports reach to that neighbour; 0: the body's own. Not a key
   /// Dimensionless; the larger, the less alternating motion and the stiffer a coarse bend. 2 completes the
   /// columns of paper 003 and the plate of large amplitude at nu 0.495, THEORY chapter 12.
   double alpha = 2;

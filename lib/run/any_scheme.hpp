@@ -167,10 +167,8 @@ PointView<d> view_of(const Snapshot<d>& shown, Index i) {
 
 /// The step that the control allows is the scheme's own limit, unless the scene fixes it.
 template <int d, class M>
-requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<d>& initial,
+requires Scheme<M, d> Simulation<d> as_simulation(const std::shared_ptr<Moving<M>>& moving,
                                                   const StepControl& control) {
-  auto state = scheme.start(initial);
-  const auto moving = std::make_shared<Moving<M>>(Moving<M>{std::move(scheme), std::move(state), {}});
   moving->places = places_of(moving->scheme, moving->scheme.snapshot(moving->state).X.size());
   Simulation<d> simulation;
   simulation.scheme = std::string(M::name);
@@ -212,6 +210,15 @@ requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<
     moving->state.step = saved.now.step;
   };
   return simulation;
+}
+
+/// The same for a scheme that starts with that motion.
+template <int d, class M>
+requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<d>& initial,
+                                                  const StepControl& control) {
+  auto state = scheme.start(initial);
+  return as_simulation<d>(std::make_shared<Moving<M>>(Moving<M>{std::move(scheme), std::move(state), {}}),
+                          control);
 }
 
 }  // namespace plumb

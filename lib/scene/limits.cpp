@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "plumbline/scene/scheme_simulation.hpp"
+
 namespace plumb {
 
 namespace {
@@ -12,6 +14,7 @@ constexpr double near_incompressible = 0.49;
 }  // namespace
 
 std::vector<std::string> limits_of(const Scene& scene) {
+  if (has_own_body(scene.method.scheme)) return {};
   if (scene.method.gradient == "compatible") {
     const bool steps = scene.method.scheme == "tlsph";
     if (!steps || scene.material.poisson < near_incompressible || scene.method.hourglass) return {};

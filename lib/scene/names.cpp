@@ -31,7 +31,7 @@ std::vector<std::string> kernel_names() {
   return names_of(KernelCatalogue{});
 }
 std::vector<std::string> pair_names() {
-  return {"W1", "W0"};
+  return {"W1", "W0", "none"};
 }
 
 std::vector<std::string> gradient_names() {
@@ -56,11 +56,11 @@ std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});
 }
 std::vector<std::string> paper_names() {
-  return {"000", "002", "003"};
+  return {"000", "002", "003", "004"};
 }
 
 std::vector<std::string> scheme_names() {
-  return {"tlsph", "implicit", "mixed", "updated"};
+  return {"tlsph", "implicit", "mixed", "updated", "element"};
 }
 
 std::vector<std::string> wave_speed_names() {

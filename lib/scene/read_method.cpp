@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <type_traits>
 
 #include "plumbline/scene/names.hpp"
 #include "plumbline/scene/readers.hpp"
+#include "plumbline/scene/scheme_simulation.hpp"
 
 namespace plumb {
 
@@ -49,6 +51,17 @@ void set_paper(Method& method) {
     method.cfl = method.updated.cfl;
     return;
   }
+  if (method.paper == "004") {
+    method.scheme = "implicit";
+    method.kernel = "quintic";
+    method.beta = 2.05 / 3;  // 2.05 spacings are the radius of the support, 3 h
+    method.pair = "none";
+    method.gradient = "standard";
+    method.hourglass = HourglassOptions{};
+    method.hourglass->weight = "slope";
+    method.hourglass->alpha = 1;
+    return;
+  }
   method.pair = "W1";
   method.gradient = "improved";
   method.momentum = "symmetrised";
@@ -57,6 +70,7 @@ void set_paper(Method& method) {
 
 /// Compatible bonds end at the surface, where particles must lie, and their force is the adjoint one.
 std::string default_gradient(const Method& method, const Body& body) {
+  if (method.pair == "none") return "standard";
   if (!method.paper.empty()) return method.gradient;
   return method.momentum == "adjoint" && body.layout == Layout::node ? "compatible" : "improved";
 }
@@ -67,7 +81,7 @@ double default_beta(const Method& method, const Body& body) {
   return method.gradient == "compatible" && !fills_box ? 1.2 : method.beta;
 }
 
-/// The schemes "mixed" and "updated" have a kernel, a table and stages of their own.
+/// Schemes with a body of their own have tables and stages of their own.
 void refuse_keys_of_tlsph(const Section& section, const std::string& scheme) {
   for (const char* key : {"kernel", "beta", "pair", "gradient", "momentum", "integrator", "wave_speed"})
     if (section.has(key))
@@ -78,8 +92,15 @@ void refuse_keys_of_tlsph(const Section& section, const std::string& scheme) {
 
 /// The section of the scheme, and no section of another one.
 void read_scheme(const Section& root, Method& method) {
-  for (const char* name : {"mixed", "implicit", "updated"})
-    if (root.has(name) && method.scheme != name)
+  if (const auto section = root.optional_section("element"); section && method.scheme == "element")
+    method.element = ElementOptions::read(*section);
+  const bool by_newton = method.scheme == "element" && method.element.by_newton();
+  if (method.scheme == "element" && !by_newton && root.has("implicit"))
+    root.section("implicit")
+        .fail("", fmt::format("contradicts solve = \"{}\"", method.element.solve),
+              "it says how Newton's method goes", "use [element] solve = \"newton\", or leave it out");
+  for (const char* name : {"mixed", "implicit", "updated", "element"})
+    if (root.has(name) && method.scheme != name && !(by_newton && std::string_view(name) == "implicit"))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
   if (const auto section = root.optional_section("mixed")) {
@@ -92,12 +113,47 @@ void read_scheme(const Section& root, Method& method) {
     method.updated = UpdatedOptions::read(*section, method.updated);
     section->reject_unknown();
   }
-  if (method.cfl) method.mixed.cfl = method.updated.cfl = *method.cfl;
-  if (method.scheme != "mixed" && method.scheme != "updated") return;
+  if (method.cfl) method.mixed.cfl = method.updated.cfl = method.element.cfl = *method.cfl;
+  if (!has_own_body(method.scheme)) return;
   for (const char* name : {"jst", "hourglass", "projection", "compatible", "damping"})
     if (root.has(name))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               "it is a part of scheme = \"tlsph\"", "leave one of them out");
+}
+
+/// "uniform" (0) or "nearest:12".
+long read_support(const Section& section) {
+  const std::string given = section.text("support"), nearest = "nearest:";
+  if (given == "uniform") return 0;
+  long k = 0;
+  const char* end = given.data() + given.size();
+  const bool number = given.starts_with(nearest) && std::from_chars(given.data() + nearest.size(), end, k) ==
+                                                        std::from_chars_result{end, {}};
+  if (!number)
+    section.fail("support", fmt::format("unknown support \"{}\"", given), "",
+                 "write \"uniform\", or \"nearest:12\" for the twelve nearest neighbours");
+  constexpr long least = 4;  // fewer cannot span the space once the farthest has no weight
+  if (k < least)
+    section.fail("support", fmt::format("{} neighbours do not make a gradient", k),
+                 "the farthest has no weight, and the rest must span the space", "ask for 10 to 40");
+  return k;
+}
+
+/// Kernels without correction, and supports of their own, have a table of one kind.
+void refuse_beside_plain_kernel(const Section& section, const Method& method) {
+  if (method.nearest > 0 && method.pair != "none")
+    section.fail("support", fmt::format("\"nearest\" contradicts pair = \"{}\"", method.pair),
+                 "corrected kernels have one smoothing length", "use pair = \"none\"");
+  if (method.nearest > 0 && section.has("beta"))
+    section.fail("beta", "contradicts support = \"nearest\"", "supports follow from the number of neighbours",
+                 "leave one of them out");
+  if (method.pair != "none") return;
+  if (method.gradient != "standard")
+    section.fail("gradient", fmt::format("\"{}\" contradicts pair = \"none\"", method.gradient),
+                 "the uncorrected kernel is normalised by L^-1 and by nothing else", "leave one of them out");
+  if (method.momentum != "adjoint")
+    section.fail("momentum", fmt::format("\"{}\" contradicts pair = \"none\"", method.momentum),
+                 "its force is minus the derivative of the energy", "use momentum = \"adjoint\"");
 }
 
 Method read_method_section(const Section& root, const Body& body) {
@@ -113,7 +169,7 @@ Method read_method_section(const Section& root, const Body& body) {
     set_paper(method);
   }
   method.scheme = section->choice_or("scheme", method.scheme, scheme_names());
-  if (method.scheme == "mixed" || method.scheme == "updated") refuse_keys_of_tlsph(*section, method.scheme);
+  if (has_own_body(method.scheme)) refuse_keys_of_tlsph(*section, method.scheme);
   method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
   method.pair = section->choice_or("pair", method.pair, pair_names());
   method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
@@ -122,6 +178,8 @@ Method read_method_section(const Section& root, const Body& body) {
   if (method.momentum == "variational" && method.gradient == "compatible")
     section->fail("momentum", R"("variational" contradicts gradient = "compatible")",
                   "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
+  if (section->has("support")) method.nearest = read_support(*section);
+  refuse_beside_plain_kernel(*section, method);
   method.integrator = section->choice_or("integrator", method.integrator, integrator_names());
   method.wave_speed = section->choice_or("wave_speed", method.wave_speed, wave_speed_names());
   method.time_step = section->optional_number("time_step", quantity::time, Sign::positive);
@@ -141,7 +199,7 @@ Method read_method_section(const Section& root, const Body& body) {
 }  // namespace
 
 std::vector<std::string> method_sections() {
-  std::vector<std::string> names{"method", "compatible", "mixed", "implicit", "updated"};
+  std::vector<std::string> names{"method", "compatible", "mixed", "implicit", "updated", "element"};
   Method method;
   for_each_part(method, [&]<class Part>(std::optional<Part>&) { names.emplace_back(Part::section); });
   return names;
@@ -160,7 +218,16 @@ Method read_method(const Section& root, const Body& body) {
     }
     part = Part::read(*section);
     section->reject_unknown();
+    if constexpr (std::is_same_v<Part, HourglassOptions>)
+      if (part && method.paper == "004" && !section->has("weight")) {
+        part->weight = "slope";
+        if (!section->has("alpha")) part->alpha = 1;
+      }
   });
+  if (method.pair == "none" && method.jst)
+    root.section("jst").fail("", "contradicts pair = \"none\"", "its Laplacian has corrected kernels",
+                             "leave it out");
+  if (method.hourglass) method.hourglass->nearest = method.nearest;
   return method;
 }
 

@@ -16,6 +16,7 @@
 #include "plumbline/material/law.hpp"
 #include "plumbline/projection/projection_options.hpp"
 #include "plumbline/run/output_options.hpp"
+#include "plumbline/schemes/element/element_options.hpp"
 #include "plumbline/schemes/implicit/implicit_options.hpp"
 #include "plumbline/schemes/mixed/mixed_options.hpp"
 #include "plumbline/schemes/updated/updated_options.hpp"
@@ -85,10 +86,13 @@ struct Compatible {
 /// the adjoint force, and beta 1.2 where a surface cuts the cloud.
 struct Method {
   std::string scheme = "tlsph";  ///< a name of scheme_names()
-  std::string paper;  ///< "000", "002", "003": keys that are not given are those of that paper; empty: of no paper
+  /// "000", "002", "003", "004": keys that are not given are those of that paper; empty: of no paper.
+  std::string paper;
   std::string kernel = "cubic";
-  double beta = 0.9;                    ///< h/d: the least neighbours with no near-zero modes
-  std::string pair = "W1";              ///< W1 | W0: W1 meets (5a), (5b), (9a), (9b) at every particle
+  double beta = 0.9;  ///< h/d: the least neighbours with no near-zero modes
+  std::string pair =
+      "W1";          ///< W1 | W0 | none: W1 meets (5a), (5b), (9a), (9b) at every particle; none: W with L^-1
+  long nearest = 0;  ///< support = "nearest:12": each particle's reaches to that neighbour; 0: beta, of all
   std::string gradient = "compatible";  ///< standard | improved | bond38 | compatible
   Compatible compatible;                ///< of gradient = "compatible" only
   std::string momentum =
@@ -103,8 +107,9 @@ struct Method {
   std::optional<ProjectionOptions> projection;  ///< absent: the force may have a torque
   std::optional<DampingOptions> damping;        ///< absent: no damping
   MixedOptions mixed;                           ///< of scheme "mixed" only
-  ImplicitOptions implicit;                     ///< of scheme "implicit" only
-  UpdatedOptions updated;                       ///< of scheme "updated" only
+  ImplicitOptions implicit;  ///< of scheme "implicit", and of elements that Newton's method moves
+  UpdatedOptions updated;    ///< of scheme "updated" only
+  ElementOptions element;    ///< of scheme "element" only
 };
 
 /// Calls use(part) for every optional part of a method, in the order in which their terms act. Readers,

@@ -4,8 +4,10 @@
 
 #include "plumbline/run/any_scheme.hpp"
 #include "plumbline/scene/actions_of_scene.hpp"
+#include "plumbline/scene/go_implicitly.hpp"
 #include "plumbline/scene/initial_motion.hpp"
 #include "plumbline/scene/tlsph.hpp"
+#include "plumbline/schemes/element/element.hpp"
 #include "plumbline/schemes/mixed/mixed.hpp"
 #include "plumbline/schemes/updated/updated.hpp"
 
@@ -27,10 +29,29 @@ bool does_work(const Actions<d>& actions) {
          });
 }
 
+/// Elements by Verlet, or as [implicit] says.
+template <int d>
+Simulation<d> element_simulation(Specimen<d> specimen, const Scene& scene, SchemeStart<d> start) {
+  Element<d> scheme(std::move(specimen), scene.method.element, std::move(start.actions));
+  const Slots slots = scheme.layout();
+  auto state = scheme.start(start.motion);
+  const auto moving =
+      std::make_shared<Moving<Element<d>>>(Moving<Element<d>>{std::move(scheme), std::move(state), {}});
+  Simulation<d> simulation = as_simulation<d>(moving, step_control(scene));
+  if (scene.method.element.by_newton())
+    go_implicitly(simulation,
+                  implicit_body<d>(
+                      std::shared_ptr<ElementState>(moving, &moving->state), slots,
+                      [moving] { return moving->scheme.stored_energy(); },
+                      [moving]() -> const Actions<d>& { return moving->scheme.actions(); }),
+                  scene);
+  return simulation;
+}
+
 }  // namespace
 
 bool has_own_body(const std::string& scheme) {
-  return scheme == "mixed" || scheme == "updated";
+  return scheme == "mixed" || scheme == "updated" || scheme == "element";
 }
 
 template <int d>
@@ -44,6 +65,8 @@ Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
     return as_simulation<d>(Updated<d>(std::move(specimen), scene.method.updated, start.actions),
                             start.motion, control);
   }
+  if (scene.method.scheme == "element")
+    return element_simulation<d>(std::move(specimen), scene, std::move(start));
   return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions), start.motion,
                           control);
 }

@@ -1,9 +1,26 @@
 #include "plumbline/scene/simulation.hpp"
 
-#include "plumbline/scene/implicit_as_simulation.hpp"
+#include "plumbline/scene/go_implicitly.hpp"
 #include "plumbline/scene/scheme_simulation.hpp"
 
 namespace plumb {
+namespace {
+
+/// A body of bonds whose equilibria are sought.
+template <int d>
+Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const Scene& scene) {
+  Simulation<d> simulation = as_simulation<d>(body, scene.material);
+  simulation.scheme = "implicit";
+  const std::shared_ptr<State<d>> state(body, &body->state);
+  go_implicitly(simulation,
+                implicit_body<d>(
+                    state, body->solid.bonds.slots, [body] { return stored_energy(body->solid); },
+                    [body]() -> const Actions<d>& { return body->actions; }),
+                scene);
+  return simulation;
+}
+
+}  // namespace
 
 template <int d>
 BuiltScene<d> make_simulation(const Scene& scene) {

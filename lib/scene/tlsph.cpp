@@ -10,6 +10,7 @@
 #include "plumbline/compatible/consistent_force.hpp"
 #include "plumbline/diagnostics/measures.hpp"
 #include "plumbline/geometry/clipped_cells.hpp"
+#include "plumbline/gradient/own_supports.hpp"
 #include "plumbline/scene/actions_of_scene.hpp"
 #include "plumbline/scene/compatible_table.hpp"
 #include "plumbline/scene/initial_motion.hpp"
@@ -89,6 +90,7 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   options.pair = pair_named(scene.method.pair);
   const bool compatible = scene.method.gradient == "compatible";
   options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
+  if (options.pair == Pair::none) options.estimator = &normalised_kernel_gradient<d>;
   const bool variational = scene.method.momentum == "variational";
   options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
   options.walls = walls_of(scene);
@@ -124,6 +126,7 @@ template <int d>
 TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
   refuse_own_body(scene);
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
+  if (scene.method.nearest > 0) use_own_supports(options, support_radii(cloud, scene.method.nearest));
   TlsphSimulation<d> simulation;
   std::vector<std::string> warnings;
   if (needs_surface<d>(scene, cloud) && !surface) {

@@ -26,7 +26,10 @@ std::vector<Refinement> entries(bool long_run) {
           entry("mixed", "mixed, upwinding R^T S R", {"method.scheme=mixed"}),
           entry("mixed-none", "mixed, no upwinding", {"method.scheme=mixed", "mixed.upwind=none"}),
           entry("mixed-reconstructed", "mixed, the paper's upwinding, equal volumes",
-                {"method.scheme=mixed", "mixed.upwind=reconstructed"})};
+                {"method.scheme=mixed", "mixed.upwind=reconstructed"}),
+          entry("element", "finite elements, linear", {"method.scheme=element"}),
+          entry("element-reduced", "finite elements, one point",
+                {"method.scheme=element", "element.order=reduced"})};
 }
 
 /// Relative errors in L2 over the CPU time of the steps, a line per scheme.
@@ -81,7 +84,8 @@ Section write(const Results& results, bool long_run) {
                cost_figure(results, schemes)};
   s.tables = {fits, levels};
   // The declared order is that of central sums: checked where the scheme has them.
-  for (const char* id : {"schemes-compatible", "schemes-mixed-none"})
+  for (const char* id :
+       {"schemes-compatible", "schemes-mixed-none", "schemes-element", "schemes-element-reduced"})
     s.checks.push_back(study_check(by_id(schemes, id).name + ": order in L₂", results.json(id), "l2"));
   for (const char* id : {"schemes-000", "schemes-tlsph", "schemes-003"})
     if (const auto check = exclusion_check(by_id(schemes, id).name + ": order 2 in L₂ is excluded",

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/diagnostics/measures.hpp"
-
 namespace plumb {
 
 template <int d>
-Balance<d>::Balance(const Solid<d>& solid, const Actions<d>& actions, const PathPoint& from,
+Balance<d>::Balance(StoredEnergy<d> energy, const Actions<d>& actions, const PathPoint& from,
                     const Eigen::VectorXd& u)
     : actions_(actions),
       held_(held_unknowns(actions)),
-      energy_(solid, free_unknowns(d * solid.cloud.size(), held_)),
-      loads_(energy_.solid().cloud, actions_),
+      energy_(std::move(energy), free_unknowns(u.size(), held_)),
+      loads_(energy_.cloud(), actions_),
       at_(from),
       start_(u) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(u.size());
@@ -38,13 +36,13 @@ void Balance<d>::set_inertia(Eigen::VectorXd weight, Eigen::VectorXd target) {
 template <int d>
 Eigen::VectorXd Balance<d>::external(const Eigen::VectorXd& u) const {
   Eigen::VectorXd force = dead_;
-  if (loads_.follow()) force += loads_.following(at_, energy_.gradients(u));
+  if (loads_.follow()) force += loads_.following(at_, energy_.particle_gradients(u));
   if (weight_.size() > 0) force -= weight_.cwiseProduct(u - target_);
   return force;
 }
 
 template <int d>
-std::optional<Eigen::VectorXd> Balance<d>::residual(const Eigen::VectorXd& u) {
+std::optional<Eigen::VectorXd> Balance<d>::residual(const Eigen::VectorXd& u) const {
   auto r = energy_.residual(u);
   if (r) *r -= external(u);
   return r;
@@ -53,14 +51,14 @@ std::optional<Eigen::VectorXd> Balance<d>::residual(const Eigen::VectorXd& u) {
 template <int d>
 void Balance<d>::linearise_at(const Eigen::VectorXd& u) {
   energy_.linearise_at(u);
-  if (loads_.follow()) following_ = loads_.following_tangent(at_, energy_.gradients(u));
+  if (loads_.follow()) following_ = loads_.following_tangent(at_, energy_.particle_gradients(u));
 }
 
 template <int d>
 SparseMatrix Balance<d>::tangent() {
   const auto& free = energy_.unknowns();
   SparseMatrix K = energy_.tangent();
-  if (loads_.follow()) K -= part_of(SparseMatrix(following_ * energy_.operators().gradient), free, free);
+  if (loads_.follow()) K -= part_of(SparseMatrix(following_ * energy_.particle_operator()), free, free);
   if (weight_.size() > 0) K.diagonal() += free_part(weight_);
   return K;
 }
@@ -68,7 +66,7 @@ SparseMatrix Balance<d>::tangent() {
 template <int d>
 Eigen::VectorXd Balance<d>::tangent_times(const Eigen::VectorXd& v) const {
   Eigen::VectorXd product = energy_.tangent_times(v);
-  if (loads_.follow()) product -= following_ * (energy_.operators().gradient * v);
+  if (loads_.follow()) product -= following_ * (energy_.particle_operator() * v);
   if (weight_.size() > 0) product += weight_.cwiseProduct(v);
   return product;
 }
@@ -80,8 +78,7 @@ double Balance<d>::change_of_potential(const Eigen::VectorXd& from, const Eigen:
   const double work = (external(from) + 4 * external(0.5 * (from + to)) + external(to)).dot(to - from) / 6;
   const double before = energy_.energy(from), after = energy_.energy(to);
   constexpr double rounding = 1e-14;  // of sums over particles
-  *round_off =
-      energy_round_off(energy_.solid()) + rounding * (std::abs(before) + std::abs(after) + std::abs(work));
+  *round_off = energy_.round_off() + rounding * (std::abs(before) + std::abs(after) + std::abs(work));
   return after - before - work;
 }
 

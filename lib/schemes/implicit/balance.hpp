@@ -16,7 +16,9 @@ template <int d>
 class Balance {
  public:
   /// `u`: the displacements where the path begins. The actions must outlive it.
-  Balance(const Solid<d>& solid, const Actions<d>& actions, const PathPoint& from, const Eigen::VectorXd& u);
+  Balance(StoredEnergy<d> energy, const Actions<d>& actions, const PathPoint& from, const Eigen::VectorXd& u);
+  Balance(const Solid<d>& solid, const Actions<d>& actions, const PathPoint& from, const Eigen::VectorXd& u)
+      : Balance(stored_energy(solid), actions, from, u) {}
 
   /// Moves to another point of the path.
   void move_to(const PathPoint& at);
@@ -24,7 +26,7 @@ class Balance {
   /// time, THEORY (15.5).
   void set_inertia(Eigen::VectorXd weight, Eigen::VectorXd target);
   /// Returns r of all unknowns [N]: at held ones the force of the support; nullopt if some J is not positive.
-  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u);
+  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u) const;
   /// Moves the tangent dr/du to the displacements u.
   void linearise_at(const Eigen::VectorXd& u);
   /// Returns dr/du of the free unknowns there [N/m]; symmetric unless a pressure follows.

@@ -1,88 +1,59 @@
 #include "plumbline/schemes/implicit/discrete_energy.hpp"
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/evaluate.hpp"
+#include <limits>
 
 namespace plumb {
 namespace {
 
-/// Sums of some ten rounded products.
-constexpr double rounding = 1e-12;
-
-/// The force has an energy if D is the transposed of V G, the adjoint form. THEORY (5.3).
+/// T: the law's tangents at these deformation gradients, one block per place.
 template <int d>
-void require_energy(const Solid<d>& solid, const LinearOperators& operators) {
-  SparseMatrix adjoint = operators.gradient.transpose();
-  for (Index n = 0; n < adjoint.cols(); ++n) adjoint.col(n) *= solid.cloud.V[n / (d * d)];
-  if ((operators.force - adjoint).norm() <= rounding * operators.force.norm()) return;
-  throw InputError(
-      "this internal force has no energy",
-      "equilibrium is sought as a stationary point of the energy, and the force is not its derivative",
-      "use momentum = \"adjoint\"");
-}
-
-/// The body with those of its terms that are energies.
-template <int d>
-Solid<d> energies_of(Solid<d> solid) {
-  for (const auto& term : solid.terms)
-    if (term.whole)
-      throw InputError("[" + term.name + "] beside the implicit scheme",
-                       "it changes forces as a whole, so that they have no energy", "leave it out");
-  std::erase_if(solid.terms, [](const Term<d>& term) { return !term.energy && !term.internal; });
-  return solid;
+SparseMatrix block_tangents(const StoredEnergy<d>& stored, const Eigen::VectorXd& gradients) {
+  constexpr int block = d * d;
+  const Index places = gradients.size() / block;
+  SparseMatrix T(gradients.size(), gradients.size());
+  T.reserve(Eigen::VectorXi::Constant(static_cast<int>(gradients.size()), block));
+  for (Index column = 0; column < gradients.size(); ++column)
+    for (int m = 0; m < block; ++m) T.insert(column / block * block + m, column) = 0;
+  T.makeCompressed();
+#pragma omp parallel for schedule(static)
+  for (Index q = 0; q < places; ++q) {
+    Mat<d> F;
+    for (int m = 0; m < block; ++m) F(m / d, m % d) = gradients[block * q + m];
+    const Tangent<d> tangent = stored.tangent(F);
+    for (int k = 0; k < block; ++k)
+      for (int m = 0; m < block; ++m) T.valuePtr()[(block * q + k) * block + m] = tangent(m, k);
+  }
+  return T;
 }
 
 }  // namespace
 
 template <int d>
-DiscreteEnergy<d>::DiscreteEnergy(const Solid<d>& solid, std::vector<Index> unknowns)
-    : solid_(energies_of(solid)),
-      state_(make_state(solid_)),
-      unknowns_(std::move(unknowns)),
-      operators_(linear_operators(solid_)) {
-  require_energy(solid_, operators_);
-  std::vector<Index> all(static_cast<std::size_t>(operators_.gradient.rows()));
+DiscreteEnergy<d>::DiscreteEnergy(StoredEnergy<d> energy, std::vector<Index> unknowns)
+    : stored_(std::move(energy)), unknowns_(std::move(unknowns)) {
+  const LinearOperators& operators = stored_.operators;
+  std::vector<Index> all(static_cast<std::size_t>(operators.gradient.rows()));
   for (std::size_t n = 0; n < all.size(); ++n) all[n] = static_cast<Index>(n);
-  gradient_part_ = part_of(operators_.gradient, all, unknowns_);
-  force_part_ = part_of(operators_.force, unknowns_, all);
-  terms_part_ = part_of(operators_.terms, unknowns_, unknowns_);
+  gradient_part_ = part_of(operators.gradient, all, unknowns_);
+  force_part_ = part_of(operators.force, unknowns_, all);
+  terms_part_ = part_of(operators.terms, unknowns_, unknowns_);
 }
 
 template <int d>
-const State<d>& DiscreteEnergy<d>::state_at(const Eigen::VectorXd& u) {
-  set_unknowns(solid_, u, state_.u);
-  return state_;
+Eigen::VectorXd DiscreteEnergy<d>::particle_gradients(const Eigen::VectorXd& u) const {
+  const auto& at = stored_.at_particles;
+  if (at) return at->identity + at->gradient * u;
+  return stored_.operators.identity + stored_.operators.gradient * u;
 }
 
 template <int d>
-double DiscreteEnergy<d>::energy(const Eigen::VectorXd& u) {
-  return energy_of(solid_, state_at(u)).total();
-}
-
-template <int d>
-std::optional<Eigen::VectorXd> DiscreteEnergy<d>::residual(const Eigen::VectorXd& u) {
-  state_at(u);
-  Field force = solid_.make_field(d);
-  const bool sound = evaluate(solid_, state_, 0, [&](const Block& block, BlockForce<d>& of_block) {
-    for (int k = 0; k < d; ++k)
-      std::copy_n(of_block.at(k, block.begin()), block.end() - block.begin(), force[k] + block.begin());
-  });
-  if (!sound) return std::nullopt;
-  Eigen::VectorXd result(u.size());
-  for (Index i = 0; i < solid_.cloud.size(); ++i)
-    result.segment<d>(d * i) = -solid_.cloud.V[i] * vector_at<d>(force, solid_.bonds.slots.of(i));
-  return result;
-}
-
-template <int d>
-Eigen::VectorXd DiscreteEnergy<d>::gradients(const Eigen::VectorXd& u) const {
-  return operators_.identity + operators_.gradient * u;
+const SparseMatrix& DiscreteEnergy<d>::particle_operator() const {
+  return stored_.at_particles ? stored_.at_particles->gradient : stored_.operators.gradient;
 }
 
 template <int d>
 void DiscreteEnergy<d>::linearise_at(const Eigen::VectorXd& u) {
-  material_ = tangent_operator(solid_, gradients(u));
+  material_ = block_tangents(stored_, stored_.operators.identity + stored_.operators.gradient * u);
 }
 
 template <int d>
@@ -93,8 +64,17 @@ SparseMatrix DiscreteEnergy<d>::tangent() {
 
 template <int d>
 Eigen::VectorXd DiscreteEnergy<d>::tangent_times(const Eigen::VectorXd& v) const {
-  const Eigen::VectorXd stress = material_ * (operators_.gradient * v);
-  return operators_.force * stress + operators_.terms * v;
+  const LinearOperators& operators = stored_.operators;
+  const Eigen::VectorXd stress = material_ * (operators.gradient * v);
+  return operators.force * stress + operators.terms * v;
+}
+
+template <int d>
+double DiscreteEnergy<d>::residual_round_off(const Eigen::VectorXd& u) const {
+  constexpr double unit = 0.5 * std::numeric_limits<double>::epsilon();
+  const LinearOperators& operators = stored_.operators;
+  const Eigen::VectorXd F = (operators.identity + operators.gradient * u).cwiseAbs();
+  return unit * (operators.force.cwiseAbs() * (material_.cwiseAbs() * F)).norm();
 }
 
 template class DiscreteEnergy<2>;

@@ -3,28 +3,29 @@
 #include <vector>
 
 #include "plumbline/linear/known_product.hpp"
-#include "plumbline/solid/linearise.hpp"
+#include "plumbline/schemes/implicit/stored_energy.hpp"
 
 namespace plumb {
 
-/// The energy of a body as a function of the displacements u of its particles,
-///   E(u) = sum V W(F(u)) + energies of its terms (hourglass),
-/// with its first two derivatives. Whatever the bond table, the law and the terms are, they define E.
-/// Unknowns are numbered d x particle + component; u is in [m].
+/// The energy E(u) of a body with its first two derivatives, of which the second is a sparse matrix of chosen
+/// unknowns. Unknowns are numbered d x particle + component; u is in [m].
 template <int d>
 class DiscreteEnergy {
  public:
-  /// Takes a copy of the body without what is no energy: loads and supports, which act from outside, and
-  /// dissipation, for nothing moves. `unknowns`, ascending, are those that tangent() is asked for. Throws
-  /// InputError if the internal force has no energy.
-  DiscreteEnergy(const Solid<d>& solid, std::vector<Index> unknowns);
+  /// `unknowns`, ascending, are those that tangent() is asked for.
+  DiscreteEnergy(StoredEnergy<d> energy, std::vector<Index> unknowns);
+  /// The energy of a body of bonds. Throws InputError as stored_energy() does.
+  DiscreteEnergy(const Solid<d>& solid, std::vector<Index> unknowns)
+      : DiscreteEnergy(stored_energy(solid), std::move(unknowns)) {}
 
   /// Returns E [J].
-  double energy(const Eigen::VectorXd& u);
+  double energy(const Eigen::VectorXd& u) const { return stored_.energy(u); }
   /// Returns dE/du [N]: minus the internal force on every particle; nullopt if some J is not positive.
-  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u);
+  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u) const { return stored_.residual(u); }
   /// Returns F of every particle, numbered d^2 x particle + d x row + column.
-  Eigen::VectorXd gradients(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd particle_gradients(const Eigen::VectorXd& u) const;
+  /// Returns their derivative by u [1/m].
+  const SparseMatrix& particle_operator() const;
 
   /// Moves the second derivative K = d2E/du2 [N/m] to the displacements u, THEORY (15.2).
   void linearise_at(const Eigen::VectorXd& u);
@@ -33,18 +34,21 @@ class DiscreteEnergy {
   /// Returns K v for all unknowns there, without a matrix.
   Eigen::VectorXd tangent_times(const Eigen::VectorXd& v) const;
 
-  const Solid<d>& solid() const { return solid_; }
+  /// Returns what rounding of F by half a unit leaves of dE/du there [N]: |D| |T| |F| half a unit. At strains
+  /// of 1e-9 that is 1e-7 of the forces.
+  double residual_round_off(const Eigen::VectorXd& u) const;
+
+  const Cloud<d>& cloud() const { return stored_.cloud; }
+  const Elastic& elastic() const { return stored_.elastic; }
+  const Slots& slots() const { return stored_.slots; }
+  double round_off() const { return stored_.round_off; }         ///< of E near the reference [J]
+  UnsoundParticle unsound() const { return stored_.unsound(); }  ///< where the last residual had no J > 0
   const std::vector<Index>& unknowns() const { return unknowns_; }
-  const LinearOperators& operators() const { return operators_; }
 
  private:
-  const State<d>& state_at(const Eigen::VectorXd& u);
-
-  Solid<d> solid_;
-  State<d> state_;
+  StoredEnergy<d> stored_;
   std::vector<Index> unknowns_;
-  LinearOperators operators_;                             ///< of all unknowns
-  SparseMatrix gradient_part_, force_part_, terms_part_;  ///< of the chosen ones
+  SparseMatrix gradient_part_, force_part_, terms_part_;  ///< of the chosen unknowns
   SparseMatrix material_;                                 ///< T
   KnownProduct stress_, stiffness_;                       ///< T G and D T G
 };

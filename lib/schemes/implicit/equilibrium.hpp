@@ -22,6 +22,11 @@ struct StaticResult {
 template <int d>
 StaticResult<d> find_equilibrium(const Solid<d>& solid, const Actions<d>& actions, double end_time,
                                  const ImplicitOptions& options, State<d>& state,
-                                 const OnLoadStep<d>& on_step = {});
+                                 const OnLoadStep& on_step = {});
+/// The same for any energy.
+template <int d>
+StaticResult<d> find_equilibrium(StoredEnergy<d> energy, const Actions<d>& actions, double end_time,
+                                 const ImplicitOptions& options, BodyMotion& motion,
+                                 const OnLoadStep& on_step = {});
 
 }  // namespace plumb

@@ -20,16 +20,6 @@ std::string cause_of(const NewtonResult& newton) {
   return newton.end == NewtonEnd::inverted ? "inverted" : "stalled";
 }
 
-/// The state at rest in an equilibrium.
-template <int d>
-void set_equilibrium(const Solid<d>& solid, const Eigen::VectorXd& u, double time, State<d>& state) {
-  set_unknowns(solid, u, state.u);
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    set_vector<d>(state.v, solid.bonds.slots.of(i), Vec<d>::Zero());
-  state.time = time;
-  ++state.step;
-}
-
 }  // namespace
 
 std::string StaticFailure::in_words() const {
@@ -43,12 +33,12 @@ std::string StaticFailure::in_words() const {
 }
 
 template <int d>
-LoadPath<d>::LoadPath(const Solid<d>& solid, const Actions<d>& actions, double end_time,
-                      const ImplicitOptions& options, const State<d>& state)
+LoadPath<d>::LoadPath(StoredEnergy<d> energy, const Actions<d>& actions, double end_time,
+                      const ImplicitOptions& options, const BodyMotion& from)
     : actions_(actions),
       end_time_(end_time),
       options_(options),
-      balance_(solid, actions, {state.time, state.time / end_time}, unknowns_of(solid, state.u)),
+      balance_(std::move(energy), actions, {from.time, from.time / end_time}, from.u),
       solver_(balance_.symmetric()),
       first_(options.first_step(end_time)),
       length_(first_) {
@@ -56,11 +46,10 @@ LoadPath<d>::LoadPath(const Solid<d>& solid, const Actions<d>& actions, double e
 }
 
 template <int d>
-std::optional<StaticFailure> LoadPath<d>::go_to(double time, State<d>& state, const OnLoadStep<d>& on_step) {
-  const Solid<d>& solid = balance_.energy().solid();
+std::optional<StaticFailure> LoadPath<d>::go_to(double time, BodyMotion& motion, const OnLoadStep& on_step) {
   const double end = time / end_time_;
-  double share = state.time / end_time_;
-  Eigen::VectorXd u = unknowns_of(solid, state.u);
+  double share = motion.time / end_time_;
+  Eigen::VectorXd u = motion.u;
   balance_.move_to(at(share));
   balance_.put_held(u);
   bool tried_longer = false;  // in vain: then the next step does not grow
@@ -72,7 +61,7 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, State<d>& state, co
     if (!found.converged()) {
       const double shorter = (next - share) / 2;
       if (!options_.adaptive || shorter < least_of_first * first_)
-        return StaticFailure{cause_of(found), next, solid.unsound, found.residuals};
+        return StaticFailure{cause_of(found), next, balance_.energy().unsound(), found.residuals};
       length_ = shorter;
       ++rejected_;
       tried_longer = true;
@@ -80,8 +69,8 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, State<d>& state, co
     }
     share = next;
     u = trial;
-    set_equilibrium(solid, u, share * end_time_, state);
-    if (on_step) on_step(state, {share, found});
+    motion = {u, Eigen::VectorXd::Zero(u.size()), share * end_time_, motion.step + 1};
+    if (on_step) on_step(motion, {share, found});
     if (options_.adaptive && !tried_longer && found.iterations() <= quick) length_ *= growth;
     tried_longer = false;
   }
@@ -89,9 +78,9 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, State<d>& state, co
 }
 
 template <int d>
-std::vector<Reaction<d>> LoadPath<d>::reactions(const State<d>& state) {
-  balance_.move_to(at(state.time / end_time_));
-  const auto residual = balance_.residual(unknowns_of(balance_.energy().solid(), state.u));
+std::vector<Reaction<d>> LoadPath<d>::reactions(const BodyMotion& equilibrium) {
+  balance_.move_to(at(equilibrium.time / end_time_));
+  const auto residual = balance_.residual(equilibrium.u);
   std::vector<Reaction<d>> reactions;
   if (!residual) return reactions;
   for (const Held<d>& held : actions_.held) reactions.push_back({held.name, Vec<d>::Zero()});

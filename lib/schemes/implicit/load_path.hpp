@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/schemes/implicit/body_motion.hpp"
 #include "plumbline/schemes/implicit/implicit_options.hpp"
 #include "plumbline/schemes/implicit/newton.hpp"
 
@@ -32,9 +33,8 @@ struct Reaction {
   Vec<d> force;
 };
 
-/// Called at every equilibrium on the way; the state has its displacements and its time.
-template <int d>
-using OnLoadStep = std::function<void(const State<d>& state, const LoadStep& step)>;
+/// Called at every equilibrium on the way, with its displacements and its time.
+using OnLoadStep = std::function<void(const BodyMotion& equilibrium, const LoadStep& step)>;
 
 /// Takes a body from equilibrium to equilibrium, from no load at time 0 to the loads and supports of the end
 /// time [s]. Loads and displacements that vary in time are taken at the time of the step; constant ones grow
@@ -43,20 +43,20 @@ using OnLoadStep = std::function<void(const State<d>& state, const LoadStep& ste
 template <int d>
 class LoadPath {
  public:
-  /// The actions must outlive the path. It begins at the state's time. Throws InputError if the body can move
-  /// freely, or if its force has no energy.
-  LoadPath(const Solid<d>& solid, const Actions<d>& actions, double end_time, const ImplicitOptions& options,
-           const State<d>& state);
+  /// The actions must outlive the path. It begins at the time of `from`. Throws InputError if the body can
+  /// move freely.
+  LoadPath(StoredEnergy<d> energy, const Actions<d>& actions, double end_time, const ImplicitOptions& options,
+           const BodyMotion& from);
 
-  /// Goes from the state's time to `time` [s], in as many load steps as it needs. The state is left at the
+  /// Goes from the motion's time to `time` [s], in as many load steps as it needs. The motion is left at the
   /// last equilibrium, at rest; if it is not the one that was asked for, what is returned says why.
-  std::optional<StaticFailure> go_to(double time, State<d>& state, const OnLoadStep<d>& on_step = {});
+  std::optional<StaticFailure> go_to(double time, BodyMotion& motion, const OnLoadStep& on_step = {});
 
   double next_step() const { return length_ * end_time_; }     ///< the load step that is tried next [s]
   void set_next_step(double dt) { length_ = dt / end_time_; }  ///< goes on as an earlier path would have
   int rejected() const { return rejected_; }  ///< steps that were tried again with half their length
   /// Returns what the supports do to the body in an equilibrium, boundary by boundary.
-  std::vector<Reaction<d>> reactions(const State<d>& state);
+  std::vector<Reaction<d>> reactions(const BodyMotion& equilibrium);
 
  private:
   PathPoint at(double share) const { return {share * end_time_, share}; }

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/schemes/implicit/implicit_options.hpp"
+#include "plumbline/schemes/implicit/body_motion.hpp"
 #include "plumbline/schemes/implicit/newton.hpp"
 
 namespace plumb {
@@ -13,11 +13,19 @@ class Midpoint {
  public:
   /// The actions must outlive it. It begins at the state's time. Throws InputError if the force has no
   /// energy.
-  Midpoint(const Solid<d>& solid, const Actions<d>& actions, double tolerance, const State<d>& state);
+  Midpoint(const Solid<d>& solid, const Actions<d>& actions, double tolerance, const State<d>& state)
+      : Midpoint(stored_energy(solid), actions, tolerance, motion_of<d>(solid.bonds.slots, state)) {}
+  Midpoint(StoredEnergy<d> energy, const Actions<d>& actions, double tolerance, const BodyMotion& from);
 
-  /// Makes one step of dt [s]; the state stays as it was where the search did not converge.
-  NewtonResult step(State<d>& state, double dt);
-  const Solid<d>& solid() { return balance_.energy().solid(); }  ///< as of the last search
+  /// Makes one step of dt [s]; the motion stays as it was where the search did not converge.
+  NewtonResult step(BodyMotion& motion, double dt);
+  NewtonResult step(State<d>& state, double dt) {
+    BodyMotion motion = motion_of<d>(energy().slots(), state);
+    const NewtonResult result = step(motion, dt);
+    if (result.converged()) set_motion<d>(energy().slots(), motion, state);
+    return result;
+  }
+  const DiscreteEnergy<d>& energy() { return balance_.energy(); }
 
  private:
   double tolerance_;

@@ -53,7 +53,9 @@ NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance
     if (n == most_iterations) return ended(NewtonEnd::stalled);
     balance.linearise_at(u);
     const SparseMatrix K = balance.tangent();
-    if (r.norm() <= round_off_of_residual(K, balance.free_part(u))) return ended(NewtonEnd::converged);
+    const double round_off =
+        round_off_of_residual(K, balance.free_part(u)) + balance.energy().residual_round_off(u);
+    if (r.norm() <= round_off) return ended(NewtonEnd::converged);
     const auto solution = solver.solve(K, -r);
     if (!solution) return ended(NewtonEnd::not_a_number);
     if (solution->shift > 0) ++result.shifted;

@@ -26,7 +26,7 @@ struct NewtonResult {
 
 /// Finds u with r(u) = 0 at the free unknowns, from a u whose held unknowns are where they belong: Newton's
 /// method with backtracking on the potential, every J positive on the way. Ends when |r| is `tolerance` of
-/// the force scale, or as small as the round-off of u makes it. THEORY (15.2), (15.3).
+/// the force scale, or as small as the round-off of u and F makes it. THEORY (15.2), (15.3).
 template <int d>
 NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance, Eigen::VectorXd& u);
 

@@ -78,7 +78,7 @@ template <int d>
 std::optional<std::string> free_rigid_motion(const DiscreteEnergy<d>& energy,
                                              const std::vector<Index>& held) {
   constexpr int count = RigidMotions<d>::count;
-  const Cloud<d>& cloud = energy.solid().cloud;
+  const Cloud<d>& cloud = energy.cloud();
   const RigidMotions<d> motions(cloud.box);
   Eigen::MatrixXd displacements(d * cloud.size(), count);
   for (Index i = 0; i < cloud.size(); ++i)
@@ -87,7 +87,7 @@ std::optional<std::string> free_rigid_motion(const DiscreteEnergy<d>& energy,
   for (const Index n : held) resisted += displacements.row(n).transpose() * displacements.row(n);
   Eigen::MatrixXd forces(displacements.rows(), count);
   for (int k = 0; k < count; ++k) forces.col(k) = energy.tangent_times(displacements.col(k));
-  const double stiffness = energy.solid().elastic.young * std::pow(cloud.spacing, d - 2);
+  const double stiffness = energy.elastic().young * std::pow(cloud.spacing, d - 2);
   resisted += forces.transpose() * forces / (stiffness * stiffness);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(resisted);
   Index free = 0;
@@ -99,7 +99,7 @@ std::optional<std::string> free_rigid_motion(const DiscreteEnergy<d>& energy,
 template <int d>
 void require_support(Balance<d>& balance, DescentSolver& solver) {
   const DiscreteEnergy<d>& energy = balance.energy();
-  const Cloud<d>& cloud = energy.solid().cloud;
+  const Cloud<d>& cloud = energy.cloud();
   balance.linearise_at(Eigen::VectorXd::Zero(d * cloud.size()));
   if (const auto motion = free_rigid_motion(energy, balance.held()))
     throw InputError("the body can " + *motion, "no support resists it, so that there is no one equilibrium",

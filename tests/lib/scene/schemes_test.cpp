@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(All, Schemes, testing::ValuesIn(scheme_names()),
                          [](const auto& about) { return about.param; });
 
 TEST(SchemesTogether, KeepTheMomentaOfAFreeBody) {
-  for (const std::string scheme : {"tlsph", "mixed", "updated"}) {  // an equilibrium has none
+  for (const std::string scheme : {"tlsph", "mixed", "updated", "element"}) {  // an equilibrium has none
     auto simulation = make_simulation<2>(free_plate(scheme)).simulation;
     const Momentum before = simulation.momentum();
     RunHistory history;
@@ -130,15 +130,44 @@ TEST(SchemesTogether, KeepTheMomentaOfAFreeBody) {
   }
 }
 
+/// Newton's method on elements of that order.
+std::string by_newton(const std::string& order) {
+  return "[element]\nsolve = \"newton\"\norder = \"" + order + "\"\n";
+}
+
 TEST(SchemesTogether, AnEquilibriumHasTheReactionOfItsLoad) {
-  auto equilibrium = make_simulation<2>(pulled("implicit")).simulation;
-  RunHistory history;
-  ASSERT_TRUE(run<2>(equilibrium, {}, history).completed());
-  // the force on the clamped face is the traction times the face
-  const auto reactions = equilibrium.reactions();
-  ASSERT_EQ(reactions.size(), 1u);
-  EXPECT_NEAR(reactions[0].force[0], -1e5 * 0.5, 1e-5);  // residual 1e-10 of the forces
-  EXPECT_NEAR(reactions[0].force[1], 0, 1e-5);
+  for (const Scene& scene :
+       {pulled("implicit"), pulled("element", by_newton("linear")), pulled("element", by_newton("reduced")),
+        pulled("element", by_newton("quadratic"))}) {
+    auto equilibrium = make_simulation<2>(scene).simulation;
+    RunHistory history;
+    ASSERT_TRUE(run<2>(equilibrium, {}, history).completed());
+    // the force on the clamped face is the traction times the face
+    const auto reactions = equilibrium.reactions();
+    ASSERT_EQ(reactions.size(), 1u);
+    EXPECT_NEAR(reactions[0].force[0], -1e5 * 0.5, 1e-5);  // residual 1e-10 of the forces
+    EXPECT_NEAR(reactions[0].force[1], 0, 1e-5);
+  }
+}
+
+/// Elements and compatible bonds on the same nodes have nearly the same equilibrium.
+TEST(SchemesTogether, ElementsAndBondsAgree) {
+  const auto end_of = [](const Scene& scene) {
+    auto equilibrium = make_simulation<2>(scene).simulation;
+    RunHistory history;
+    EXPECT_TRUE(run<2>(equilibrium, {}, history).completed());
+    const Snapshot<2> shown = equilibrium.snapshot();
+    double end = 0;
+    for (std::size_t i = 0; i < shown.X.size(); ++i)
+      if ((shown.X[i] - Vec<2>(1, 0.25)).norm() < 1e-9) end = shown.u[i][0];
+    return end;
+  };
+  const double truth = end_of(pulled("element", by_newton("quadratic")));
+  EXPECT_GT(truth, 4e-3);  // 1e5 Pa over 17 MPa
+  // the strain is uniform but for the clamped end, where 4 cells of depth are coarse
+  EXPECT_NEAR(end_of(pulled("element", by_newton("linear"))), truth, 0.01 * truth);
+  EXPECT_NEAR(end_of(pulled("element", by_newton("reduced"))), truth, 0.01 * truth);
+  EXPECT_NEAR(end_of(pulled("implicit", "gradient = \"compatible\"\n")), truth, 0.03 * truth);
 }
 
 /// A short bar of copper that flies against a wall, by that scheme.
@@ -189,6 +218,33 @@ TEST_P(PlasticSchemes, CarryPlasticity) {
 
 INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, testing::Values("mixed", "updated"),
                          [](const auto& about) { return about.param; });
+/// What a scene says is added to what its paper says.
+TEST(SchemesTogether, APaperFillsInWhatIsNotGiven) {
+  const auto method_of = [](const std::string& more) {
+    return parse_scene(
+               "[scene]\ndimension = 2\nend_time = 1\n[body]\nsize = [1, 1]\nspacing = 0.1\n[material]\n"
+               "young = 1\npoisson = 0.3\ndensity = 1\n[method]\npaper = \"004\"\n" +
+                   more,
+               "test.toml")
+        .method;
+  };
+  const Method whole = method_of("");
+  EXPECT_EQ(whole.scheme, "implicit");
+  EXPECT_EQ(whole.kernel, "quintic");
+  EXPECT_EQ(whole.pair, "none");
+  EXPECT_EQ(whole.gradient, "standard");
+  EXPECT_NEAR(3 * whole.beta, 2.05, 1e-15);
+  ASSERT_TRUE(whole.hourglass);
+  EXPECT_EQ(whole.hourglass->weight, "slope");
+  EXPECT_EQ(whole.hourglass->alpha, 1);
+  const Method other = method_of("support = \"nearest:12\"\n[hourglass]\nalpha = 5\n");
+  EXPECT_EQ(other.nearest, 12);
+  EXPECT_EQ(other.hourglass->weight, "slope");
+  EXPECT_EQ(other.hourglass->alpha, 5);
+  EXPECT_EQ(other.hourglass->nearest, 12);
+  EXPECT_FALSE(method_of("[hourglass]\nalpha = 0\n").hourglass);
+  EXPECT_EQ(method_of("[hourglass]\nweight = \"kernel\"\n").hourglass->weight, "kernel");
+}
 
 std::string refusal(const std::string& scheme, const std::string& more) {
   try {
@@ -212,10 +268,17 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("mixed", "[updated]\n").find("belongs to scheme = \"updated\""), std::string::npos);
   EXPECT_NE(refusal("updated", "[updated]\nrotation = \"mean\"\n").find("turns with the pair"),
             std::string::npos);
-  for (const char* scheme : {"mixed", "implicit", "updated"})
+  for (const char* scheme : {"mixed", "implicit", "updated", "element"})
     EXPECT_NE(refusal(scheme, "[output]\nbudget = true\n").find("keeps such an account"), std::string::npos);
   EXPECT_EQ(refusal("tlsph", "[output]\nbudget = true\n"), "accepted");
-  EXPECT_THROW(make_tlsph<2>(pulled("mixed")), InputError);
+  EXPECT_NE(refusal("tlsph", "[element]\n").find("belongs to scheme = \"element\""), std::string::npos);
+  EXPECT_NE(refusal("element", "kernel = \"cubic\"\n").find("method.kernel"), std::string::npos);
+  EXPECT_NE(refusal("element", "[implicit]\n").find("Newton's method"), std::string::npos);
+  EXPECT_NE(refusal("element", "[element]\nalpha = 1\n").find("only elements with one point"),
+            std::string::npos);
+  EXPECT_EQ(refusal("element", by_newton("linear") + "[implicit]\nsteps = 2\n"), "accepted");
+  EXPECT_EQ(refusal("element", "[element]\norder = \"reduced\"\nalpha = 1\n"), "accepted");
+  for (const char* scheme : {"mixed", "element"}) EXPECT_THROW(make_tlsph<2>(pulled(scheme)), InputError);
 }
 
 }  // namespace

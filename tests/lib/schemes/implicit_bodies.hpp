@@ -3,7 +3,9 @@
 #include <string>
 
 #include "plumbline/compatible/compatible.hpp"
+#include "plumbline/gradient/own_supports.hpp"
 #include "plumbline/hourglass/hourglass.hpp"
+#include "plumbline/hourglass/slope_hourglass.hpp"
 #include "plumbline/schemes/implicit/discrete_energy.hpp"
 #include "plumbline/solid/make_solid.hpp"
 #include "tests/support/clouds.hpp"
@@ -26,23 +28,6 @@ inline const std::vector<TableChoice>& all_tables() {
   return tables;
 }
 
-/// c_ij = V_j L_i^-1 grad W with the support radius h_i of particle i; zero beyond it. Sums in units of h_i.
-template <int d>
-void set_dual_stencils(const Cloud<d>& cloud, const RadialKernel<d>& kernel,
-                       const std::vector<double>& radius, std::vector<std::vector<BondConstants<d>>>& bonds) {
-  for (std::size_t i = 0; i < bonds.size(); ++i) {
-    const double h = radius[i] / kernel.support;
-    Mat<d> L = Mat<d>::Zero();
-    for (auto& bond : bonds[i]) {
-      const Vec<d>& X = bond.separation;
-      const double r = X.norm();
-      bond.stencil = r < radius[i] ? Vec<d>(cloud.V[bond.other] * kernel.dw(r / h) / r * X) : Vec<d>::Zero();
-      L += bond.stencil * X.transpose();
-    }
-    for (auto& bond : bonds[i]) bond.stencil = L.inverse() * bond.stencil;
-  }
-}
-
 /// Support radii that change by a third from particle to particle: about a fifth of the pairs are one-sided.
 template <int d>
 std::vector<double> varied_radii(const Cloud<d>& cloud) {
@@ -58,20 +43,24 @@ BondOptions<d> table_options(const TableChoice& table, const Cloud<d>& cloud) {
   if (table.name == "dual") scheme = {.estimator = "standard", .pair = Pair::none, .beta = 1.5};
   BondOptions<d> options = testing::options<d>(scheme, cloud.spacing);
   if (table.name == "compatible") project_compatible(options);
-  if (table.name == "dual")
-    options.project = [kernel = options.kernel](Cloud<d>& particles, const Neighbours&, auto& bonds) {
-      set_dual_stencils<d>(particles, kernel, varied_radii(particles), bonds);
-    };
+  if (table.name == "dual") use_own_supports(options, varied_radii(cloud));
   return options;
 }
 
 template <int d>
 Solid<d> elastic_body(const TableChoice& table, const LawChoice& law, double alpha, double jitter,
-                      Index cells = d == 2 ? 6 : 4) {
+                      Index cells = d == 2 ? 6 : 4, const std::string& weight = "kernel") {
   Cloud<d> cloud = testing::block<d>(cells, Layout::node, jitter);
   const BondOptions<d> options = table_options<d>(table, cloud);
   Solid<d> solid = make_solid<d>(std::move(cloud), law, rubber, options);
-  if (alpha > 0) add_term(solid, hourglass_term(solid, options.kernel, alpha));
+  if (alpha > 0 && weight == "slope")
+    add_term(solid, slope_hourglass_term(
+                        solid, options.kernel, alpha,
+                        table.name == "dual"
+                            ? varied_radii(solid.cloud)
+                            : std::vector<double>(solid.cloud.X.size(), 1.9 * solid.cloud.spacing)));
+  else if (alpha > 0)
+    add_term(solid, hourglass_term(solid, options.kernel, alpha));
   return solid;
 }
 

@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "plumbline/boundary/supports.hpp"
+#include "plumbline/core/error.hpp"
 #include "plumbline/gradient/each_bond.hpp"
+#include "plumbline/gradient/own_supports.hpp"
+#include "plumbline/hourglass/slope_hourglass.hpp"
 #include "plumbline/schemes/implicit/equilibrium.hpp"
 #include "plumbline/solid/kinematics.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
@@ -20,14 +23,13 @@ constexpr double digits = 1e-11;
 
 template <int d>
 Solid<d> dual_body(Cloud<d> cloud, const std::vector<double>& radius, const std::string& law,
-                   const Elastic& elastic) {
+                   const Elastic& elastic, double alpha = 0) {
   BondOptions<d> options = testing::options<d>({.estimator = "standard", .pair = Pair::none}, cloud.spacing);
   options.kernel = kernel_named<d>("quintic");
-  options.smoothing_length = *std::max_element(radius.begin(), radius.end()) / options.kernel.support;
-  options.project = [kernel = options.kernel, radius](Cloud<d>& particles, const Neighbours&, auto& bonds) {
-    testing::set_dual_stencils<d>(particles, kernel, radius, bonds);
-  };
-  return make_solid<d>(std::move(cloud), law, elastic, options);
+  use_own_supports(options, radius);
+  Solid<d> solid = make_solid<d>(std::move(cloud), law, elastic, options);
+  if (alpha > 0) add_term(solid, slope_hourglass_term(solid, options.kernel, alpha, radius));
+  return solid;
 }
 
 /// 6 x 5 particles, moved, with volumes and supports of their own; particle numbers run along x first.
@@ -50,6 +52,29 @@ struct SmallCloud {
       }
   }
 };
+
+TEST(DualSupports, ReachToTheNeighbourOfThatNumber) {
+  const SmallCloud c;
+  const std::vector<double> radii = support_radii(c.cloud, 12);
+  for (Index i = 0; i < c.cloud.size(); ++i) {
+    Index nearer = 0, within = 0;  // others than i
+    for (Index j = 0; j < c.cloud.size(); ++j) {
+      const double r = (c.cloud.X[j] - c.cloud.X[i]).norm();
+      if (j != i && r < radii[i]) ++nearer;
+      if (j != i && r <= radii[i]) ++within;
+    }
+    EXPECT_EQ(nearer, 11) << i;
+    EXPECT_EQ(within, 12) << i;
+  }
+  EXPECT_THROW(support_radii(c.cloud, 30), InputError);
+}
+
+TEST(DualSupports, OfTooFewNeighboursAreRefused) {
+  const Cloud<2> cloud = lattice<2>({Vec<2>::Zero(), Vec<2>::Ones()}, {4, 4}, Layout::node);
+  // a corner sees one other particle inside
+  EXPECT_THROW(dual_body<2>(cloud, std::vector<double>(cloud.X.size(), 0.2), "neo-hookean", {10, 0.3, 1}),
+               InputError);
+}
 
 TEST(DualSupports, TheOperatorHasItsValues) {
   const SmallCloud c;
@@ -79,9 +104,61 @@ TEST(DualSupports, TheEnergiesHaveTheirValues) {
   EXPECT_NEAR(energy("neo-hookean"), 0.060828572904357, digits);
 }
 
+TEST(DualSupports, TheHourglassEnergyHasItsValue) {
+  const SmallCloud c;
+  const auto energy = [&](double alpha) {
+    return testing::energy_of_all(dual_body<2>(c.cloud, c.radius, "linear-elastic", {10, 0.3, 1}, alpha))
+        .energy(c.u);
+  };
+  EXPECT_NEAR(energy(1) - energy(0), 0.0050439573059464, digits);
+  EXPECT_NEAR(energy(3) - energy(0), 3 * 0.0050439573059464, 3 * digits);
+}
+
+TEST(DualSupports, ForcesAndStiffnessHaveTheirValues) {
+  const SmallCloud c;
+  const auto check = [&](const char* law, double force, double trace) {
+    DiscreteEnergy<2> energy = testing::energy_of_all(dual_body<2>(c.cloud, c.radius, law, {10, 0.3, 1}, 1));
+    EXPECT_NEAR(energy.residual(c.u).value().norm(), force, 1e-10) << law;
+    energy.linearise_at(c.u);
+    EXPECT_NEAR(SparseMatrix(energy.tangent()).diagonal().sum(), trace, 1e-7)
+        << law;  // to its printed digits
+  };
+  check("linear-elastic", 2.3777720048193, 1814.5035000984);
+  check("neo-hookean", 2.3236163719055, 1879.0106621596);
+}
+
+/// Hourglass energy of the alternating motion a (-1)^(i + j) on a lattice of spacing 1, mu = 1, alpha = 1.
+double alternating_energy(Index columns, Index rows, double reach, double a) {
+  const Vec<2> size(static_cast<double>(columns), static_cast<double>(rows));
+  const Cloud<2> cloud = lattice<2>({Vec<2>::Zero(), size}, {columns, rows}, Layout::cell);
+  const std::vector<double> radius(cloud.X.size(), reach);
+  const Solid<2> solid = dual_body<2>(cloud, radius, "neo-hookean", {2.6, 0.3, 1}, 1);
+  State<2> state = make_state(solid);
+  for (Index i = 0; i < cloud.size(); ++i)
+    state.u[0][solid.bonds.slots.of(i)] = std::lround(cloud.X[i].sum() - 1) % 2 ? -a : a;
+  return solid.terms.back().energy(solid, state);
+}
+
+/// E(m, n) = inside m n + edges (m + n) + corners: the mixed difference is what is inside.
+TEST(DualSupports, AlternatingMotionHasItsEnergy) {
+  struct Value {
+    double reach, energy;
+  };
+  for (const Value& value :
+       {Value{1.5, 3.99510404}, Value{2.05, 3.30921941}, Value{2.2, 3.06952712}, Value{3, 1.91984906}}) {
+    const auto energy = [&](Index m, Index n) { return alternating_energy(m, n, value.reach, 1e-3); };
+    const double inside = (energy(14, 14) - energy(12, 14) - energy(14, 12) + energy(12, 12)) / 4;
+    EXPECT_NEAR(inside / 1e-6, value.energy, 1e-7) << value.reach;  // differences of sums of 200 terms
+  }
+}
+
 /// Cube of 7^3 particles, half of whose upper face is pressed by p = 1 where E = 10; its line y = 1/2 has
 /// half the weight.
-TEST(DualSupports, ThePressedCubeHasItsValues) {
+struct Pressed {
+  double u_y, u_z, energy, reaction;  ///< energy: without that of the hourglass term
+};
+
+Pressed pressed_cube(double alpha) {
   const Index n = 7;
   Cloud<3> cloud = lattice<3>({Vec<3>::Zero(), Vec<3>::Ones()}, {n - 1, n - 1, n - 1}, Layout::node);
   const double spacing = cloud.spacing;
@@ -104,17 +181,28 @@ TEST(DualSupports, ThePressedCubeHasItsValues) {
   }
   Actions<3> actions = holding<3>(cloud, supports);
   actions.surface.push_back(load);
-  const Solid<3> solid = dual_body<3>(cloud, radius, "neo-hookean", {10, 0.3, 1});
+  const Solid<3> solid = dual_body<3>(cloud, radius, "neo-hookean", {10, 0.3, 1}, alpha);
   State<3> state = make_state(solid);
   ImplicitOptions options;
   options.tolerance = 1e-12;
   const auto result = find_equilibrium<3>(solid, actions, 1, options, state);
-  ASSERT_TRUE(result.completed());
+  EXPECT_TRUE(result.completed());
   const Vec<3> u = vector_at<3>(state.u, solid.bonds.slots.of(corner));
-  EXPECT_NEAR(u[1], -0.11060930717558, 1e-9);
-  EXPECT_NEAR(u[2], -0.15723055400667, 1e-9);
-  EXPECT_NEAR(testing::energy_of_all(solid).energy(unknowns_of(solid, state.u)), 0.025121046876861, 1e-10);
-  EXPECT_NEAR(result.reactions[0].force[2], 0.5, 1e-10);
+  const Solid<3> bare = dual_body<3>(solid.cloud, radius, "neo-hookean", {10, 0.3, 1});
+  return {u[1], u[2], testing::energy_of_all(bare).energy(unknowns_of(solid, state.u)),
+          result.reactions[0].force[2]};
+}
+
+TEST(DualSupports, ThePressedCubeHasItsValues) {
+  const Pressed plain = pressed_cube(0);
+  EXPECT_NEAR(plain.u_y, -0.11060930717558, 1e-9);
+  EXPECT_NEAR(plain.u_z, -0.15723055400667, 1e-9);
+  EXPECT_NEAR(plain.energy, 0.025121046876861, 1e-10);
+  EXPECT_NEAR(plain.reaction, 0.5, 1e-10);
+  const Pressed stiffened = pressed_cube(1);
+  EXPECT_NEAR(stiffened.u_y, -0.10141515174077, 1e-9);
+  EXPECT_NEAR(stiffened.u_z, -0.14398565592424, 1e-9);
+  EXPECT_NEAR(stiffened.energy, 0.023213136949221, 1e-10);
 }
 
 }  // namespace

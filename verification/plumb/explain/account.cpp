@@ -62,6 +62,14 @@ Statement body_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
 }
 
 Statement correction_of(const Scene& scene) {
+  if (scene.method.pair == "none") {
+    const std::string reach =
+        scene.method.nearest > 0
+            ? fmt::format(", in supports that reach to the {}th neighbour", scene.method.nearest)
+            : "";
+    return {"correction", "none: the kernel as it is, its gradient normalised by L^-1" + reach,
+            "004 (10) to (12)"};
+  }
   if (scene.method.pair == "W1")
     return {"correction", "W1: sums of constant and of linear fields are exact, at boundaries too",
             "THEORY (2.2), (2.7)"};

@@ -1,5 +1,8 @@
-#include "plumbline/scene/implicit_as_simulation.hpp"
+#include "plumbline/scene/go_implicitly.hpp"
 
+#include <fmt/format.h>
+
+#include "plumbline/core/error.hpp"
 #include "plumbline/schemes/implicit/load_path.hpp"
 #include "plumbline/schemes/implicit/midpoint.hpp"
 
@@ -9,7 +12,7 @@ namespace {
 /// The body and its way, made when the first step is.
 template <int d>
 struct Way {
-  std::shared_ptr<TlsphSimulation<d>> body;
+  ImplicitBody<d> body;
   double end_time;
   ImplicitOptions options;
   std::optional<LoadPath<d>> path;
@@ -17,7 +20,7 @@ struct Way {
 
   LoadPath<d>& load_path() {
     if (!path) {
-      path.emplace(body->solid, body->actions, end_time, options, body->state);
+      path.emplace(body.energy(), body.actions(), end_time, options, body.motion());
       if (restored_step > 0) path->set_next_step(restored_step);
     }
     return *path;
@@ -41,8 +44,8 @@ Failure no_step(const NewtonResult& search, const UnsoundParticle& unsound, cons
 
 void refuse_what_it_has_not(const Scene& scene) {
   if (!scene.end_time)
-    throw InputError("scheme = \"implicit\" needs end_time", "loads are brought on in the time until then",
-                     "add end_time = \"1 s\" to [scene]");
+    throw InputError(fmt::format("scheme = \"{}\" needs end_time", scene.method.scheme),
+                     "loads are brought on in the time until then", "add end_time = \"1 s\" to [scene]");
   if (scene.method.implicit.midpoint) return;
   if (scene.initial && (!scene.initial->velocity.empty() || scene.initial->spin))
     throw InputError("[initial] gives the body a velocity", "an equilibrium has none",
@@ -68,14 +71,16 @@ void go_by_loads(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) 
   simulation.has_other_work = true;
   simulation.steps.allowed = [way] { return way->load_path().next_step(); };
   simulation.steps.advance = [way, now](double dt) -> std::optional<Failure> {
-    const auto failed = way->load_path().go_to(now().time + dt, way->body->state);
+    BodyMotion motion = way->body.motion();
+    const auto failed = way->load_path().go_to(now().time + dt, motion);
+    way->body.move(motion);
     if (!failed) return std::nullopt;
     return no_equilibrium(*failed, now());
   };
   simulation.steps.out_of_bounds = [](const RunHistory&) { return std::optional<Failure>(); };
   simulation.reactions = [way] {
     std::vector<BoundaryForce<d>> forces;
-    for (auto& [boundary, force] : way->load_path().reactions(way->body->state))
+    for (auto& [boundary, force] : way->load_path().reactions(way->body.motion()))
       forces.push_back({boundary, force});
     return forces;
   };
@@ -99,31 +104,30 @@ void go_by_midpoint(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& wa
   const double dt = way->options.first_step(way->end_time) * way->end_time;
   simulation.steps.allowed = [dt] { return dt; };
   simulation.steps.advance = [way, rule, now](double step) -> std::optional<Failure> {
-    TlsphSimulation<d>& body = *way->body;
-    if (!*rule) rule->emplace(body.solid, body.actions, way->options.tolerance, body.state);
-    const NewtonResult search = (*rule)->step(body.state, step);
-    if (search.converged()) return std::nullopt;
-    return no_step(search, (*rule)->solid().unsound, now());
+    BodyMotion motion = way->body.motion();
+    if (!*rule) rule->emplace(way->body.energy(), way->body.actions(), way->options.tolerance, motion);
+    const NewtonResult search = (*rule)->step(motion, step);
+    if (!search.converged()) return no_step(search, (*rule)->energy().unsound(), now());
+    way->body.move(motion);
+    return std::nullopt;
   };
 }
 
 }  // namespace
 
 template <int d>
-Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const Scene& scene) {
+void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene& scene) {
   refuse_what_it_has_not(scene);
-  const auto way = std::make_shared<Way<d>>(Way<d>{body, *scene.end_time, scene.method.implicit, {}, 0});
-  Simulation<d> simulation = as_simulation(body, scene.material);
-  simulation.scheme = "implicit";
+  const auto way =
+      std::make_shared<Way<d>>(Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, 0});
   leave_out_accounts(simulation);
   if (scene.method.implicit.midpoint)
     go_by_midpoint(simulation, way);
   else
     go_by_loads(simulation, way);
-  return simulation;
 }
 
-template Simulation<2> implicit_as_simulation<2>(const std::shared_ptr<TlsphSimulation<2>>&, const Scene&);
-template Simulation<3> implicit_as_simulation<3>(const std::shared_ptr<TlsphSimulation<3>>&, const Scene&);
+template void go_implicitly<2>(Simulation<2>&, ImplicitBody<2>, const Scene&);
+template void go_implicitly<3>(Simulation<3>&, ImplicitBody<3>, const Scene&);
 
 }  // namespace plumb

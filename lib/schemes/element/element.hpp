@@ -1,0 +1,74 @@
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "plumbline/schemes/apply.hpp"
+#include "plumbline/schemes/element/element_body.hpp"
+#include "plumbline/schemes/implicit/stored_energy.hpp"
+
+namespace plumb {
+
+/// Displacements and velocities of nodes.
+struct ElementState {
+  Field u;          ///< [m]
+  Field v;          ///< [m/s]
+  double time = 0;  ///< [s]
+  long step = 0;
+
+  template <class Visit>
+  void fields(Visit&& visit) {
+    visit(FieldInfo{"displacement", "m"}, u);
+    visit(FieldInfo{"velocity", "m/s"}, v);
+  }
+};
+
+/// Finite elements on the nodes of a box, with lumped masses: what others use on such a body, for comparison.
+/// They move by velocity Verlet (kick, drift, kick); stored_energy() lets others seek their equilibria. All
+/// elastic laws. THEORY (15.7) to (15.10).
+template <int d>
+class Element {
+ public:
+  static constexpr std::string_view name = "element";
+  using Options = ElementOptions;
+  using State = ElementState;
+
+  /// InputError where the cloud is no node lattice, or the law has no energy.
+  Element(Specimen<d> specimen, ElementOptions options, Actions<d> actions);
+
+  /// At rest in the reference where the motion has no entries.
+  State start(const InitialMotion<d>& motion) const;
+  /// cfl 2/omega of the stiffest cell [s], less as the body is compressed. THEORY (15.10).
+  double step_limit(const State& state);
+  std::optional<Trouble> advance(State& state, double dt);
+  Snapshot<d> snapshot(const State& state) const;
+  SchemeEnergy energy(const State& state) const;
+  std::vector<Statement> account() const;
+
+  /// The energy whose equilibria can be sought; it lives on its own.
+  StoredEnergy<d> stored_energy() const;
+  const Actions<d>& actions() const { return actions_; }  ///< with areas that fit the elements
+  Slots layout() const { return {body_.cloud.size(), 0, 0, 1}; }
+
+  static constexpr int evaluations_per_step = 1;
+  NeighbourCounts neighbours() const { return neighbours_; }
+  const ElementBody<d>& body() const { return body_; }
+
+ private:
+  Field nodal(int components) const { return {components, body_.cloud.size(), 0}; }
+  /// Makes F_ and rate_ those of the displacements at that time, unless they are.
+  std::optional<Trouble> evaluate(const Field& u, double time);
+
+  ElementOptions options_;
+  ElementBody<d> body_;
+  Actions<d> actions_;
+  AppliedActions<d> applied_;
+  NeighbourCounts neighbours_;
+  double omega_;  ///< of the stiffest cell [1/s]
+  Field F_;       ///< by point
+  Field rate_;    ///< acceleration [m/s^2]
+  Field seen_u_;  ///< what F_ and rate_ are of
+  std::optional<double> seen_time_;
+};
+
+}  // namespace plumb

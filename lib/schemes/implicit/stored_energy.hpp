@@ -1,0 +1,40 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "plumbline/solid/linearise.hpp"
+
+namespace plumb {
+
+/// F = identity + gradient u, numbered d^2 x place + d x row + column.
+struct GradientOperator {
+  Eigen::VectorXd identity;
+  SparseMatrix gradient;  ///< [1/m]
+};
+
+/// An energy E(u) of the displacements of particles, as a scheme hands it to whoever seeks equilibria: bodies
+/// of bonds and finite elements make one. Unknowns are numbered d x particle + component; u is in [m].
+template <int d>
+struct StoredEnergy {
+  Cloud<d> cloud;  ///< the particles, with the volumes that masses and body forces go by
+  Elastic elastic;
+  Slots slots;  ///< of the particles in the fields of a state
+  /// G, D and the constant stiffness of terms. Rows of G are the places where the law is asked: particles, or
+  /// points in elements.
+  LinearOperators operators;
+  std::optional<GradientOperator> at_particles;            ///< for pressures that follow; nullopt: G itself
+  std::function<double(const Eigen::VectorXd& u)> energy;  ///< E [J]
+  /// dE/du [N]; nullopt if some J is not positive.
+  std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& u)> residual;
+  std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF of the law [Pa]
+  std::function<UnsoundParticle()> unsound;            ///< where the last residual had no positive J
+  double round_off = 0;                                ///< of E near the reference [J]
+};
+
+/// The energy of a body of bonds: sum V W(F) and the energies of its terms (hourglass). It is that of a copy
+/// without what is no energy: loads and supports, which act from outside, and dissipation, for nothing moves.
+/// Throws InputError if the internal force has no energy.
+template <int d>
+StoredEnergy<d> stored_energy(const Solid<d>& solid);
+
+}  // namespace plumb
