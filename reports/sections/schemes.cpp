@@ -20,8 +20,8 @@ std::vector<Refinement> entries(bool long_run) {
     return Refinement{"schemes-" + id, std::move(name), file, std::move(set)};
   };
   return {entry("000", "paper 000, as printed", {R"(method.paper="000")"}),
-          entry("tlsph", "total Lagrangian, default", {}),
-          entry("compatible", "total Lagrangian, compatible", {"method.gradient=compatible"}),
+          entry("tlsph", "total Lagrangian, improved table", {"method.gradient=improved"}),
+          entry("compatible", "total Lagrangian, default (compatible)", {"method.gradient=compatible"}),
           entry("003", "paper 003, as printed", {R"(method.paper="003")"}),
           entry("mixed", "mixed, upwinding R^T S R", {"method.scheme=mixed"}),
           entry("mixed-none", "mixed, no upwinding", {"method.scheme=mixed", "mixed.upwind=none"}),
