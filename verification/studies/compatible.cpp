@@ -137,7 +137,7 @@ Scene spinning_cube(double time_step, long steps) {
   scene.method.gradient = "compatible";
   scene.method.time_step = time_step;
   scene.method.cfl = std::nullopt;
-  scene.method.hourglass = HourglassOptions{0.5};
+  scene.method.hourglass = HourglassOptions{.alpha = 0.5};
   scene.initial = Initial{};
   scene.initial->spin = {0, 0, 105};
   return scene;

@@ -90,7 +90,7 @@ OrderFit order_of(const mms::Manufactured<d>& solution, const Method& method,
 Method with_gradient(const std::string& gradient, double alpha) {
   Method method;
   method.gradient = gradient;
-  if (alpha > 0) method.hourglass = HourglassOptions{alpha};
+  if (alpha > 0) method.hourglass = HourglassOptions{.alpha = alpha};
   return method;
 }
 

@@ -248,7 +248,7 @@ Vec<3> corner_of_column(int cells, const std::string& motion, double poisson = 0
   const double spacing = 1.0 / cells;
   Scene scene = free_box({1, 6, 1}, spacing, poisson);
   scene.body.origin = {-0.5, 0, -0.5};
-  scene.method.hourglass = HourglassOptions{2};
+  scene.method.hourglass = HourglassOptions{.alpha = 2};
   scene.max_steps.reset();
   Boundary base;
   base.face = Face{1, -1};
