@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""DOLFINx under plumbline's loads: dolfinx_plate.py DEGREE: triangles of that degree, Saint Venant-Kirchhoff, equilibrium by Newton's method.
+"""DOLFINx under plumbline's loads: dolfinx_plate.py DEGREE [RESULT.json]: triangles of that degree, Saint Venant-Kirchhoff, equilibrium by Newton's method.
 
 The load is evaluated at quadrature points by the module plumbline. Prints errors and the order in L2, judged against DEGREE + 1; exit code
 1 if it is not met. Needs python3-dolfinx-real and python3-plumbline (tests/foreign/run sets both up).
 """
+import json
 import sys
 
 import basix
@@ -57,4 +58,9 @@ fit = plumbline.fit_order([1 / n for n in levels], errors, declared=degree + 1)
 for n, error in zip(levels, errors):
     print(f"  {n} x {2 * n} x 2 triangles: relative L2 {error:.4e}")
 print(f"DOLFINx P{degree}: {fit}")
+if len(sys.argv) > 2:  # in the form of a campaign's result
+    json.dump({"campaign": f"dolfinx-P{degree}", "solution": "stretched-column", "status": "pass" if fit.verdict == "pass" else "fail",
+               "levels": [{"d": 1 / n, "relative_l2": error} for n, error in zip(levels, errors)],
+               "fits": [{"norm": "l2", "order": fit.order, "ci95": [fit.lower, fit.upper], "pairwise": fit.pairwise,
+                         "declared": degree + 1, "verdict": fit.verdict}]}, open(sys.argv[2], "w"), indent=1)
 sys.exit(0 if fit.verdict == "pass" else 1)
