@@ -23,8 +23,7 @@ typename Updated<d>::Moved Updated<d>::moved(const State& state, Index i, double
 
 /// The stretch of every pair beyond its velocity gradients; a pair that leaves the reach forgets it.
 template <int d>
-void Updated<d>::stretch_bonds(const State& state, double tau) {
-  const PairHistory& before = state.bonds;
+void Updated<d>::stretch_bonds(const State& state, const PairHistory& before, double tau) {
   PairHistory& after = next_.bonds;
   after.list = before.list;
   after.value.resize(before.value.size());
@@ -83,7 +82,7 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
     V_[i] = mass_[i] / now.density;
     impedance_[i] = now.density * c0;
   });
-  if (bond_modulus() > 0) stretch_bonds(state, tau);
+  if (bond_modulus() > 0) stretch_bonds(state, state.bonds, tau);
   for_particles(count(), [&](Index i) { x_[i] += 0.5 * dt * v_[i]; });
   neighbours_.update(x_);
   if (bond_modulus() > 0) next_.bonds.move_to(neighbours_.list());
