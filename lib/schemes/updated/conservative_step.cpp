@@ -23,19 +23,18 @@ typename Updated<d>::Moved Updated<d>::moved(const State& state, Index i, double
 
 /// The stretch of every pair beyond its velocity gradients; a pair that leaves the reach forgets it.
 template <int d>
-void Updated<d>::stretch_bonds(const State& state, double tau) {
-  const PairHistory& before = state.bonds;
+void Updated<d>::stretch_bonds(const State& state, const PairHistory& before, double tau) {
   PairHistory& after = next_.bonds;
   after.list = before.list;
   after.value.resize(before.value.size());
   for_particles(count(), [&](Index i) { S_[i] = tensor_at<d>(state.gradient, i); });
   const bool linear = options_.form == "gno";
   std::fill(after.value.begin(), after.value.end(), 0.0);
-  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::openings, [&](Index i, const PairRow<d>& row) {
     for (Index m = 0; m < row.count; ++m) {
       const Index j = row.other[m];
       const Vec<d> r = row.r_of(m);
-      double rate = row.v_of(m).dot(r);
+      double rate = row.opening[m];
       if (linear) rate -= 0.5 * r.dot((S_[i] + S_[j]) * r);
       const double kept = options_.yield_ratio ? 0.5 * (yield_ratio_[i] + yield_ratio_[j]) : 1;
       after.value[row.place[m]] = kept * (before.value[row.place[m]] + tau * rate * row.per_r[m]);
@@ -48,7 +47,7 @@ template <int d>
 void Updated<d>::conservative_forces(const PairHistory& bonds) {
   const double modulus = bond_modulus();
   const bool dissipates = options_.dissipation != "none";
-  for_rows(pairs(), dissipates, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::openings, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero(), sum = Vec<d>::Zero();
     double heat = 0;
     for (Index m = 0; m < row.count; ++m) {
@@ -56,7 +55,7 @@ void Updated<d>::conservative_forces(const PairHistory& bonds) {
       const Vec<d> r = row.r_of(m), wr = row.weight[m] * r;
       double along = modulus > 0 ? modulus * bonds.value[row.place[m]] : 0;
       if (dissipates) {
-        const double opening = row.v_of(m).dot(r), z = joint(impedance_[i], impedance_[j]);
+        const double opening = row.opening[m], z = joint(impedance_[i], impedance_[j]);
         along += 2 * z * opening;
         heat -= row.weight[m] * z * opening * opening * row.per_r[m];
       }
@@ -83,11 +82,11 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
     V_[i] = mass_[i] / now.density;
     impedance_[i] = now.density * c0;
   });
-  if (bond_modulus() > 0) stretch_bonds(state, tau);
+  if (bond_modulus() > 0) stretch_bonds(state, state.bonds, tau);
   for_particles(count(), [&](Index i) { x_[i] += 0.5 * dt * v_[i]; });
   neighbours_.update(x_);
   if (bond_modulus() > 0) next_.bonds.move_to(neighbours_.list());
-  for_rows(pairs(), false, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
   correct();
   const bool bonds_are_shear = options_.form == "eno";
   for_particles(count(), [&](Index i) {

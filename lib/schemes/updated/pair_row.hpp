@@ -8,6 +8,13 @@
 
 namespace plumb {
 
+/// What a row of pairs is filled with: the more, the dearer.
+enum class Seen {
+  positions,   ///< r, weight, distance
+  velocities,  ///< v, too
+  openings     ///< per_r and opening, too
+};
+
 /// The pairs of one particle that are within the reach, in ascending order of the others, number by number so
 /// that several are worked on at once. What stands here depends on the positions only, not on the age of the
 /// list. Up to `padded` there are more entries, of no weight.
@@ -27,7 +34,7 @@ class PairRow {
     weight = take();
     distance = take();
     per_r = take();
-    scratch = take();
+    opening = take();
   }
 
   Index count = 0, padded = 0;
@@ -35,11 +42,11 @@ class PairRow {
   double* weight = nullptr;         ///< w V_j [1/m^2]
   double* distance = nullptr;       ///< [m]
   double* per_r = nullptr;          ///< 1/distance [1/m]; r per_r is 0 for particles at one place
-  double* scratch = nullptr;
+  double* opening = nullptr;        ///< v_ij . r_ij [m^2/s]
   std::vector<std::int32_t> other;
   std::vector<std::int64_t> place;  ///< in the list
 
-  void fill(const MovingPairs<d>& pairs, Index i, bool velocities) {
+  void fill(const MovingPairs<d>& pairs, Index i, Seen seen) {
     const Vec<d> here = pairs.x[i];
     const double reach = 1 / pairs.slope.per_reach, square = reach * reach;
     Index m = 0;
@@ -63,7 +70,9 @@ class PairRow {
       other[m] = static_cast<std::int32_t>(i);
     }
     weigh(pairs.slope);
-    if (velocities) fill_velocities(pairs, i);
+    if (seen == Seen::positions) return;
+    fill_velocities(pairs, i);
+    if (seen == Seen::openings) find_openings();
   }
 
   /// -sum weight a (x) r of numbers by pair.
@@ -87,26 +96,39 @@ class PairRow {
     return whole;
   }
 
+  /// Fills per_r and the speed at which each pair opens, times its distance: v_ij . r_ij [m^2/s].
+  void find_openings() {
+#pragma omp simd
+    for (Index m = 0; m < padded; ++m) {
+      per_r[m] = 1 / std::max(distance[m], 1e-300);
+      double sum = 0;
+      for (int k = 0; k < d; ++k) sum += v[k][m] * r[k][m];
+      opening[m] = sum;
+    }
+  }
+
   Vec<d> r_of(Index m) const {
     Vec<d> apart;
     for (int k = 0; k < d; ++k) apart[k] = r[k][m];
     return apart;
   }
   Vec<d> v_of(Index m) const {
-    Vec<d> opening;
-    for (int k = 0; k < d; ++k) opening[k] = v[k][m];
-    return opening;
+    Vec<d> apart;
+    for (int k = 0; k < d; ++k) apart[k] = v[k][m];
+    return apart;
   }
 
  private:
   /// One more pack than pairs: the last pair that is looked at may be no neighbour.
-  static Index size_for(Index longest) { return (longest + 2 * width) / width * width; }
+  static Index size_for(Index longest) {
+    return (longest + 2 * width) / width * width;
+  }
 
   void fill_velocities(const MovingPairs<d>& pairs, Index i) {
     const Vec<d> here = pairs.v[i];
     for (Index m = 0; m < padded; ++m) {
-      const Vec<d> opening = here - pairs.v[other[m]];
-      for (int k = 0; k < d; ++k) v[k][m] = opening[k];
+      const Vec<d> apart = here - pairs.v[other[m]];
+      for (int k = 0; k < d; ++k) v[k][m] = apart[k];
     }
   }
 
@@ -117,7 +139,6 @@ class PairRow {
       const double t = std::max(0.0, 1 - far * slope.per_reach);
       weight[m] *= slope.factor * (t * t * t);
       distance[m] = far;
-      per_r[m] = 1 / std::max(far, 1e-300);
     }
   }
 
@@ -126,7 +147,7 @@ class PairRow {
 
 /// Calls use(i, row) for all particles, side by side, with the pairs of each.
 template <int d, class Use>
-void for_rows(const MovingPairs<d>& pairs, bool velocities, Use&& use) {
+void for_rows(const MovingPairs<d>& pairs, Seen seen, Use&& use) {
   const Index particles = pairs.count();
   std::int64_t longest = 0;
   for (Index i = 0; i < particles; ++i)
@@ -136,7 +157,7 @@ void for_rows(const MovingPairs<d>& pairs, bool velocities, Use&& use) {
     PairRow<d> row(longest);
 #pragma omp for schedule(static)
     for (Index i = 0; i < particles; ++i) {
-      row.fill(pairs, i, velocities);
+      row.fill(pairs, i, seen);
       use(i, static_cast<const PairRow<d>&>(row));
     }
   }

@@ -7,7 +7,7 @@
 
 /// One acoustic step as paper 002 has it, with its misprints mended: half a drift, a kick with the geometry
 /// of the step's start or of the last advection step, rates with the new velocities, half a drift. THEORY
-/// (17.1) to (17.4).
+/// (17.1)-(17.4).
 namespace plumb {
 
 /// Takes the geometry of the sums to x_, V_ and B_: a new one, or the frozen one.
@@ -36,7 +36,7 @@ void Updated<d>::follow_geometry(State& state, double dt) {
     next_.frozen[d][i] = V_[i];
   }
   neighbours_.update(x_);
-  for_rows(pairs(), false, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
   correct();
 }
 
@@ -44,7 +44,7 @@ void Updated<d>::follow_geometry(State& state, double dt) {
 template <int d>
 void Updated<d>::printed_forces(const State& state) {
   const bool dissipates = options_.dissipation != "none", own_pressure = options_.misprinted("17");
-  for_rows(pairs(), dissipates, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::openings, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero();
     double heat = 0;
     for (Index m = 0; m < row.count; ++m) {
@@ -55,7 +55,7 @@ void Updated<d>::printed_forces(const State& state) {
       double pressure =
           own_pressure ? pressure_[i] : (there * pressure_[i] + here * pressure_[j]) / (here + there);
       if (dissipates) {
-        const double opening = row.v_of(m).dot(r) * row.per_r[m], z = joint(here, there);
+        const double opening = row.opening[m] * row.per_r[m], z = joint(here, there);
         pressure -= z * opening;
         heat -= w * z * opening * opening * row.distance[m];
       }
@@ -72,7 +72,7 @@ void Updated<d>::printed_forces(const State& state) {
 template <int d>
 void Updated<d>::printed_rates(State& next, double dt) {
   counts_ = {};
-  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::velocities, [&](Index i, const PairRow<d>& row) {
     near_[i] = static_cast<std::int32_t>(row.count);
     const Mat<d> G = row.minus_sum(row.v), L = G * B_[i];
     set_tensor<d>(next.gradient, i, L);
@@ -93,7 +93,7 @@ void Updated<d>::printed_rates(State& next, double dt) {
   }
 }
 
-/// What has been summed up, turned (34), (42), and its increment (28), (43), (46).
+/// What has been summed up, turned (34), (42), and its increment (28), (43), (46): THEORY (17.4).
 template <int d>
 void Updated<d>::sum_up(const State& state, State& next, double dt) {
   const bool vector = options_.form == "gno" && options_.penalty == "vector", linear = options_.form == "gno";
@@ -106,7 +106,7 @@ void Updated<d>::sum_up(const State& state, State& next, double dt) {
   });
   for (Index i = 0; i < count(); ++i) mean += M_[i] / static_cast<double>(count());
   const double modulus = bond_modulus();
-  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::openings, [&](Index i, const PairRow<d>& row) {
     Vec<d> sum = Vec<d>::Zero();
     for (Index m = 0; m < row.count; ++m) {
       const Index j = row.other[m];

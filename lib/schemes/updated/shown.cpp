@@ -72,9 +72,10 @@ SchemeEnergy Updated<d>::energy(const State& state) {
 template <int d>
 double Updated<d>::bond_energy(const State& state) {
   if (!state.bonds.list) return 0;
-  const PairHistory& kept = state.bonds;
   neighbours_.update(x_);
-  stretch_bonds(state, 0.5 * state.last_step);
+  PairHistory kept = state.bonds;
+  kept.move_to(neighbours_.list());
+  stretch_bonds(state, kept, 0.5 * state.last_step);
   std::vector<double> parts(static_cast<std::size_t>(count()));
   for_particles(count(), [&](Index i) {
     double sum = 0;

@@ -54,7 +54,7 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   unused_ = make_field(d);
   next_ = make_state();
   neighbours_.update(x_);
-  for_rows(pairs(), false, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
   for (Index i = 0; i < n; ++i) {
     for (const auto j : neighbours_.list()->of(i))
       if ((x_[i] - x_[j]).norm() < one_place * cloud.spacing)
@@ -117,7 +117,7 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
   V_ = cloud.V;
   v_ = motion.u;
   neighbours_.update(x_);
-  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::velocities, [&](Index i, const PairRow<d>& row) {
     const Mat<d> F = Mat<d>::Identity() + row.minus_sum(row.v) * row.minus_sum(row.r).inverse();
     Mat<3> whole = Mat<3>::Identity();
     whole.template topLeftCorner<d, d>() = F;
@@ -210,7 +210,7 @@ void Updated<d>::correct() {
 
 template <int d>
 void Updated<d>::differentiate(State& state) {
-  for_rows(pairs(), true, [&](Index i, const PairRow<d>& row) {
+  for_rows(pairs(), Seen::velocities, [&](Index i, const PairRow<d>& row) {
     M_[i] = row.minus_sum(row.r);
     S_[i] = row.minus_sum(row.v);
     near_[i] = static_cast<std::int32_t>(row.count);

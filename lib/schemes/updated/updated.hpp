@@ -78,7 +78,8 @@ class Updated {
   Moved moved(const State& state, Index i, double tau) const;
   /// What the snapshot and the energies show: of the end of the step.
   Moved at_end_of_step(const State& state, Index i) const;
-  void stretch_bonds(const State& state, double tau);
+  /// Stretches `before`, which belongs to the list of now, into the room of the next state.
+  void stretch_bonds(const State& state, const PairHistory& before, double tau);
   void conservative_forces(const PairHistory& bonds);
   double bond_energy(const State& state);
 
