@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
+#include "reports/drawn_bodies.hpp"
 #include "reports/named.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -76,6 +79,37 @@ TEST(Named, WhatIsNotThereIsAnErrorAndNotTheNextOne) {
   const DataTable table{"t", "T", {{"d"}, {"error"}}, {{0.1, 0.5}}};
   EXPECT_EQ(std::get<double>(cell_of(table, table.rows[0], "error")), 0.5);
   EXPECT_THROW(cell_of(table, table.rows[0], "l2"), MissingResult);
+}
+
+/// The number of the oscillating plate, whose tip swings with that period.
+Check period_of(double period) {
+  const plumb::test::TemporaryFolder folder;
+  std::ofstream(folder / "result.json") << R"({"status": "completed", "failure": null})";
+  std::ofstream series(folder / "series.csv");
+  series << "time [s],tip displacement y [m]\n";
+  for (int n = 0; n < 400; ++n)
+    series << 0.001 * n << ',' << std::sin(2 * std::numbers::pi * 0.001 * n / period) << '\n';
+  series.close();
+  JobResult result;
+  result.folder = folder.path();
+  Results results;
+  results.add("oscillating-20", result);
+  for (const auto& body : paper_size_bodies())
+    if (body.id == "oscillating-20") return number_of(body, results);
+  throw std::runtime_error("no such body");
+}
+
+/// A clamped thin plate: omega = 3.516015 sqrt(D/(rho h))/L^2 with D = E h^3/(12 (1 - nu^2)).
+TEST(BodyNumbers, ThePeriodOfAThinPlate) {
+  const double E = 1.9985e6, nu = 0.39754, rho = 1000, h = 0.02, L = 0.2;
+  const double D = E * h * h * h / (12 * (1 - nu * nu));
+  const double period = 2 * std::numbers::pi * L * L / (3.516015 * std::sqrt(D / (rho * h)));
+  // tolerance of the check 3 %; periods are read off rows 0.4 % of them apart
+  EXPECT_EQ(period_of(period).verdict, "pass") << period_of(period).measured;
+  EXPECT_EQ(period_of(1.024 * period).verdict, "pass");
+  EXPECT_EQ(period_of(0.976 * period).verdict, "pass");
+  EXPECT_EQ(period_of(1.036 * period).verdict, "fail");
+  EXPECT_EQ(period_of(0.964 * period).verdict, "fail");
 }
 
 }  // namespace

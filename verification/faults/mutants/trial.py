@@ -45,7 +45,7 @@ def command(build, program, names):
 
 def run(build, program, names, limit, **environment):
     """None if all passed, else what failed."""
-    with tempfile.TemporaryDirectory(prefix="plumb_sample_") as folder:
+    with tempfile.TemporaryDirectory(prefix="plumb_sample_", ignore_cleanup_errors=True) as folder:
         try:
             process = subprocess.Popen(command(build, program, names), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                        errors="replace", cwd=folder, start_new_session=True, stdin=subprocess.DEVNULL,
