@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "plumbline/core/error.hpp"
+#include "plumbline/schemes/implicit/energy_momentum.hpp"
 #include "plumbline/schemes/implicit/load_path.hpp"
 #include "plumbline/schemes/implicit/midpoint.hpp"
 
@@ -46,7 +47,7 @@ void refuse_what_it_has_not(const Scene& scene) {
   if (!scene.end_time)
     throw InputError(fmt::format("scheme = \"{}\" needs end_time", scene.method.scheme),
                      "loads are brought on in the time until then", "add end_time = \"1 s\" to [scene]");
-  if (scene.method.implicit.midpoint) return;
+  if (scene.method.implicit.moves()) return;
   if (scene.initial && (!scene.initial->velocity.empty() || scene.initial->spin))
     throw InputError("[initial] gives the body a velocity", "an equilibrium has none",
                      "leave it out, or use scheme = \"tlsph\"");
@@ -96,16 +97,16 @@ void go_by_loads(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) 
   };
 }
 
-/// Steps in time by the midpoint rule.
-template <int d>
-void go_by_midpoint(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) {
+/// Steps in time by a rule that make() makes when the first step is.
+template <class Rule, int d, class Make>
+void go_in_time(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way, Make&& make) {
   const auto now = simulation.steps.now;
-  const auto rule = std::make_shared<std::optional<Midpoint<d>>>();
+  const auto rule = std::make_shared<std::unique_ptr<Rule>>();
   const double dt = way->options.first_step(way->end_time) * way->end_time;
   simulation.steps.allowed = [dt] { return dt; };
-  simulation.steps.advance = [way, rule, now](double step) -> std::optional<Failure> {
+  simulation.steps.advance = [way, rule, now, make](double step) -> std::optional<Failure> {
     BodyMotion motion = way->body.motion();
-    if (!*rule) rule->emplace(way->body.energy(), way->body.actions(), way->options.tolerance, motion);
+    if (!*rule) *rule = make(motion);
     const NewtonResult search = (*rule)->step(motion, step);
     if (!search.converged()) return no_step(search, (*rule)->energy().unsound(), now());
     way->body.move(motion);
@@ -121,8 +122,19 @@ void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene&
   const auto way =
       std::make_shared<Way<d>>(Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, 0});
   leave_out_accounts(simulation);
+  const double tolerance = scene.method.implicit.tolerance;
   if (scene.method.implicit.midpoint)
-    go_by_midpoint(simulation, way);
+    go_in_time<Midpoint<d>>(simulation, way, [way, tolerance](const BodyMotion& from) {
+      return std::make_unique<Midpoint<d>>(way->body.energy(), way->body.actions(), tolerance, from);
+    });
+  else if (scene.method.implicit.energy_momentum)
+    go_in_time<EnergyMomentum<d>>(
+        simulation, way,
+        [way, tolerance,
+         law = objective_law<d>(scene.material.law(), scene.material.elastic())](const BodyMotion& from) {
+          return std::make_unique<EnergyMomentum<d>>(way->body.energy(), law, way->body.actions(), tolerance,
+                                                     from);
+        });
   else
     go_by_loads(simulation, way);
 }

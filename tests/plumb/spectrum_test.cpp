@@ -18,6 +18,25 @@ using nlohmann::json;
 using test::run_plumb;
 const std::string scenes = PLUMBLINE_SOURCE_DIR "/verification/scenes/";
 
+/// The bar of 1 x 0.2 m under its weight, whose law is linear: its frequencies are those of a cantilever.
+TEST(SpectrumCommand, ALoadedStateHasItsFrequencies) {
+  const std::string bar = scenes + "weighing-bar.toml";
+  const auto outcome = run_plumb("spectrum " + bar + " --modes 3 --json - --at end");
+  ASSERT_EQ(outcome.code, 0) << outcome.error;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(result["unstable"], 0);
+  EXPECT_EQ(result["time"], 1);
+  ASSERT_EQ(result["modes"].size(), 3u);
+  // 1.8751^2/(2 pi L^2) sqrt(E I/(rho A)); shear takes some percent of so short a beam
+  const double bending =
+      std::pow(1.875104, 2) / (2 * 3.14159265358979) * std::sqrt(17e6 / 1100) * 0.2 / std::sqrt(12);
+  EXPECT_NEAR(result["modes"][0]["frequency_hz"].get<double>(), bending, 0.06 * bending);
+  EXPECT_EQ(run_plumb("spectrum " + bar + " --at end --symbol 4").code, 2);
+  const auto missing = run_plumb("spectrum " + bar + " --at nowhere.h5");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.error.find("nowhere.h5"), std::string::npos) << missing.error;
+}
+
 TEST(SpectrumCommand, TheWorstModeIsTheLowestOne) {
   const auto outcome = run_plumb(
       "spectrum " + scenes + "free_plate.toml --set method.gradient=standard --set method.beta=1.2 --json -");

@@ -23,7 +23,9 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
                  "it is a share of the forces", "give a number below 1, such as 1e-10");
   // it stands in a scene so that other values can follow; a choice that is not built is an unknown one
   section.choice_or("solver", "direct", {"direct"});
-  options.midpoint = section.choice_or("dynamics", "none", {"none", "midpoint"}) == "midpoint";
+  const std::string dynamics = section.choice_or("dynamics", "none", {"none", "midpoint", "energy-momentum"});
+  options.midpoint = dynamics == "midpoint";
+  options.energy_momentum = dynamics == "energy-momentum";
   section.reject_unknown();
   return options;
 }
@@ -31,8 +33,9 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
 std::string ImplicitOptions::in_words() const {
   const std::string size = time_step ? fmt::format("steps of {:g} s", *time_step)
                                      : fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
-  if (midpoint)
-    return fmt::format("implicit midpoint rule, {}, residual {:g} of the forces", size, tolerance);
+  if (moves())
+    return fmt::format("{}, {}, residual {:g} of the forces",
+                       midpoint ? "implicit midpoint rule" : "energy-momentum rule", size, tolerance);
   return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces", size,
                      adaptive ? " (halved and grown as needed)" : "", tolerance);
 }

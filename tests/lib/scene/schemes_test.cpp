@@ -37,7 +37,7 @@ scheme = ")" + scheme + "\"\n" +
 }
 
 /// A plate that is free; it turns and stretches.
-Scene free_plate(const std::string& scheme) {
+Scene free_plate(const std::string& scheme, const std::string& more = "") {
   return parse_scene(R"([scene]
 dimension = 2
 end_time = "5 ms"
@@ -51,7 +51,8 @@ density = 1100
 [initial]
 velocity = ["3 - 20*Y + 30*X", "2 + 20*X"]
 [method]
-scheme = ")" + scheme + "\"\n",
+scheme = ")" + scheme + "\"\n" +
+                         more,
                      "test.toml");
 }
 
@@ -218,6 +219,24 @@ TEST_P(PlasticSchemes, CarryPlasticity) {
 
 INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, testing::Values("mixed", "updated"),
                          [](const auto& about) { return about.param; });
+/// A plate that turns and stretches keeps its energy by the energy-momentum rule, on bonds and on elements.
+TEST(SchemesTogether, TheEnergyMomentumRuleKeepsTheEnergy) {
+  const std::string rule = "[implicit]\ndynamics = \"energy-momentum\"\nsteps = 20\n";
+  for (const Scene& scene :
+       {free_plate("implicit", rule), free_plate("element", by_newton("linear") + rule)}) {
+    auto simulation = make_simulation<2>(scene).simulation;
+    const double before = simulation.energy().total();
+    const Momentum momentum = simulation.momentum();
+    RunHistory history;
+    ASSERT_TRUE(run<2>(simulation, {}, history).completed());
+    EXPECT_EQ(simulation.steps.now().step, 20);
+    EXPECT_NEAR(simulation.energy().total(), before,
+                1e-8 * before);  // 20 searches, each to 1e-10 of its forces
+    EXPECT_NEAR(simulation.momentum().angular[2], momentum.angular[2], 1e-8 * momentum.angular_scale);
+    EXPECT_GT(simulation.energy().strain, 1e-3 * before);
+  }
+}
+
 /// What a scene says is added to what its paper says.
 TEST(SchemesTogether, APaperFillsInWhatIsNotGiven) {
   const auto method_of = [](const std::string& more) {

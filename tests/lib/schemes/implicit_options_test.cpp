@@ -47,6 +47,9 @@ TEST(ImplicitOptions, ValuesAreRead) {
   const ImplicitOptions moving = read("dynamics = \"midpoint\"\ntime_step = \"10 ms\"");
   EXPECT_TRUE(moving.midpoint);
   EXPECT_EQ(moving.in_words(), "implicit midpoint rule, steps of 0.01 s, residual 1e-10 of the forces");
+  const ImplicitOptions exact = read("dynamics = \"energy-momentum\"\nsteps = 3");
+  EXPECT_TRUE(exact.energy_momentum && exact.moves() && moving.moves() && !o.moves());
+  EXPECT_EQ(exact.in_words(), "energy-momentum rule, 3 steps, residual 1e-10 of the forces");
 }
 
 TEST(ImplicitOptions, NonsenseIsRefused) {

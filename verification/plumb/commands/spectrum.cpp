@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 
 #include "plumb/commands.hpp"
@@ -13,8 +15,12 @@
 #include "plumb/symbol_output.hpp"
 #include "plumbline/core/sentences.hpp"
 #include "plumbline/output/file.hpp"
+#include "plumbline/run/checkpoint.hpp"
+#include "plumbline/scene/loaded_body.hpp"
 #include "plumbline/scene/read_scene.hpp"
+#include "plumbline/scene/simulation.hpp"
 #include "plumbline/scene/tlsph.hpp"
+#include "plumbline/schemes/implicit/loaded_vibrations.hpp"
 #include "reports/modes.hpp"
 
 namespace plumb {
@@ -29,6 +35,7 @@ struct SpectrumCommand {
   SpectrumOptions options;
   std::string vtk;  ///< folder for the modes; empty: none are written
   int symbol = 0;   ///< points of the lattice symbol; 0: the body's own spectrum
+  std::string at;   ///< checkpoint of a loaded state; empty: the reference
 };
 
 /// Every combination of the values of --over, as lists of overrides.
@@ -66,6 +73,75 @@ Json analyse(const Scene& scene, const SpectrumOptions& options, const std::stri
 
 Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk = "") {
   return scene.dimension == 2 ? analyse<2>(scene, options, vtk) : analyse<3>(scene, options, vtk);
+}
+
+/// The state of a checkpoint, or of the end of the scene's run if `at` is "end".
+template <int d>
+SavedState saved_state(const Scene& scene, const std::string& at) {
+  if (at != "end") {
+    const Checkpoint checkpoint = read_checkpoint(at);
+    if (checkpoint.dimension != d)
+      throw InputError(fmt::format("a checkpoint in {}D", checkpoint.dimension),
+                       fmt::format("the scene is in {}D", d),
+                       "name the checkpoint that this scene's run has written");
+    return checkpoint.state;
+  }
+  Simulation<d> simulation = make_simulation<d>(scene).simulation;
+  RunHistory history;
+  if (!run<d>(simulation, {}, history).completed())
+    throw InputError("the scene's run does not reach its end", "it fails on the way",
+                     "see plumb run, and name the checkpoint that it leaves");
+  return simulation.save();
+}
+
+/// The lowest vibrations about a state of the scene's body.
+template <int d>
+Json loaded_vibrations(const Scene& scene, const std::string& file, int count) {
+  const LoadedBody<d> body = loaded_body<d>(scene, saved_state<d>(scene, file));
+  Balance<d> balance = body.balance();
+  Json modes = Json::array();
+  int unstable = 0;
+  for (const LoadedVibration& mode : vibrations_about<d>(balance, body.motion.u, count)) {
+    const double frequency = std::sqrt(std::abs(mode.square)) / (2 * std::numbers::pi);
+    const bool grows = mode.square < 0;
+    unstable += grows ? 1 : 0;
+    modes.push_back({{"number", modes.size() + 1},
+                     {"omega_squared", mode.square},
+                     {"frequency_hz", grows ? Json() : Json(frequency)},
+                     {"kind", grows ? "grows" : "vibrates"}});
+  }
+  return {{"scene", scene.name},
+          {"at", file},
+          {"time", body.motion.time},
+          {"unstable", unstable},
+          {"modes", modes}};
+}
+
+std::string loaded_text(const Json& result) {
+  std::string text =
+      fmt::format("{} at {:g} s: {}\n", result["scene"].get<std::string>(), result["time"].get<double>(),
+                  result["unstable"] == 0 ? "the state is stable" : "the state is unstable");
+  for (const auto& mode : result["modes"])
+    text += mode["frequency_hz"].is_null()
+                ? fmt::format("  {:>3}  grows, omega^2 = {:.6g} 1/s^2\n", mode["number"].get<int>(),
+                              mode["omega_squared"].get<double>())
+                : fmt::format("  {:>3}  {:.6g} Hz\n", mode["number"].get<int>(),
+                              mode["frequency_hz"].get<double>());
+  return text;
+}
+
+int run_loaded(const Session& session, const SpectrumCommand& command) {
+  if (!command.over.empty() || command.symbol > 0 || !command.vtk.empty() || !session.plot.empty())
+    throw InputError("--at beside --over, --symbol, --vtk or --plot", "it lists the vibrations of one state",
+                     "leave the others out");
+  const Scene scene = read_scene(command.file, command.overrides);
+  const Json result = scene.dimension == 2
+                          ? loaded_vibrations<2>(scene, command.at, command.options.low_modes)
+                          : loaded_vibrations<3>(scene, command.at, command.options.low_modes);
+  session.text() << loaded_text(result) << std::flush;
+  session.write_csv(result["modes"]);
+  session.write_json(result);
+  return 0;
 }
 
 /// What the combination sets, as the start of its row.
@@ -132,6 +208,7 @@ Json rows_of(const std::vector<std::vector<std::string>>& sets, const std::vecto
 }
 
 int run_spectrum(const Session& session, const SpectrumCommand& command) {
+  if (!command.at.empty()) return run_loaded(session, command);
   const auto sets = combinations(command.over);
   const bool one_body = command.over.empty() && command.symbol == 0;
   const auto needs_one_body = [&](const std::string& file, const char* option, const char* what) {
@@ -186,6 +263,11 @@ void add_spectrum(CLI::App& program, Session& session) {
       ->capture_default_str();
   command.add_option("--vtk", options->vtk, "write the modes as particle files for ParaView to DIR")
       ->type_name("DIR");
+  command
+      .add_option(
+          "--at", options->at,
+          "frequencies about a loaded state instead: that at the end of the scene, or of a checkpoint.h5")
+      ->type_name("end|FILE");
   command
       .add_option("--symbol", options->symbol,
                   "the scheme on the infinite lattice instead, at so many wave numbers in each direction")
