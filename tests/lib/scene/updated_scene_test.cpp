@@ -1,6 +1,7 @@
 // Scenes by the updated scheme: the period of the plate of paper 002, and what a restart carries.
 #include <gtest/gtest.h>
 
+#include "places.hpp"
 #include "plumbline/core/error.hpp"
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/simulation.hpp"
