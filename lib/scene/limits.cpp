@@ -31,7 +31,9 @@ std::vector<std::string> limits_of(const Scene& scene) {
                     "irregular clouds, since a uniform stress leaves a force there; use gradient = "
                     "\"compatible\"",
                     scene.method.gradient,
-                    random ? "blue noise" : fmt::format("particles with jitter = {:g}", scene.body.jitter))};
+                    !scene.body.file.empty() ? "particles of a file"
+                    : random                 ? "blue noise"
+                             : fmt::format("particles with jitter = {:g}", scene.body.jitter))};
   if (scene.body.layout != Layout::node || scene.method.momentum == "variational") return {};
   // plumb static with affine-patch: relative L2 error of u by momentum and gradient 0.008 to 0.010 at 5
   // spacings a side, 0.0013 to 0.0016 at 40, against 1e-15 of those recommended (a test repeats it)

@@ -2,6 +2,7 @@
 
 #include "plumbline/compatible/clipped_surface.hpp"
 #include "plumbline/geometry/shaped_cloud.hpp"
+#include "plumbline/scene/cloud_file.hpp"
 #include "plumbline/scene/tlsph.hpp"
 
 namespace plumb {
@@ -30,6 +31,7 @@ Shape<d> shape_of(const Body& body) {
 
 template <int d>
 Cloud<d> make_cloud(const Body& body) {
+  if (!body.file.empty()) return cloud_of_file<d>(body);
   const Shape<d> shape = shape_of<d>(body);
   const bool whole_lattice = !shape.clip && body.cloud == "lattice";
   if (body.layout == Layout::mirror && !whole_lattice)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumbline/scene/cloud_file.hpp"
 #include "plumbline/scene/names.hpp"
 #include "plumbline/scene/readers.hpp"
 
@@ -160,9 +161,26 @@ void resolve_lattice(const Section& section, Body& body, int dimension) {
   }
 }
 
+/// Particles of a file. A shape, where one is given, bounds them.
+Body read_body_of_file(const Section& section, int dimension) {
+  Body body;
+  body.shape = section.choice_or("shape", body.shape, shape_names());
+  if (body.shape != "box")
+    read_shape(section, body, dimension);
+  else if (section.has("size"))
+    read_box(section, body, dimension);
+  else if (section.has("origin"))
+    section.fail("origin", "without size", "the box is that around the points", "leave it out, or give size");
+  read_cloud_file(section, body, dimension);
+  section.reject_unknown();
+  return body;
+}
+
 }  // namespace
 
 Body with_spacing(Body body, double d) {
+  if (!body.file.empty())
+    throw InputError("another spacing of the particles of a file", "they are where the file has them", "");
   if (!(d > 0.0) || !std::isfinite(d))
     throw InputError(fmt::format("spacing {} m is not positive and finite", d), "it must be", "");
   // volumes to the power of the dimension, and their squares in norms, must be numbers
@@ -193,6 +211,7 @@ Body with_spacing(Body body, double d) {
 Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
   body.shape = section.choice_or("shape", body.shape, shape_names());
+  if (section.has("file")) return read_body_of_file(section, dimension);
   body.cloud = section.choice_or("cloud", body.cloud, cloud_names());
   if (body.shape == "box")
     read_box(section, body, dimension);
