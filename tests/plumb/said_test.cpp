@@ -275,9 +275,9 @@ TEST_P(Said, IsWhatItWas) {
     std::ofstream out(kept);
     for (const auto& line : now) out << line << '\n';
   }
-  // 1e-6: far above what another order of sums makes of these few steps, far below any slip. 1e-10: what
-  // is zero but for round-off, of energies up to 1e3.
-  EXPECT_EQ(test::differences(now, test::lines_of(test::content_of(kept)), 1e-6, 1e-10), "")
+  // 1e-5: other compilers and other orders of sums change the sixth digit of small differences, a slip
+  // changes the first ones. 1e-8: what is zero but for round-off, of energies up to 1e5.
+  EXPECT_EQ(test::differences(now, test::lines_of(test::content_of(kept)), 1e-5, 1e-8), "")
       << arguments() << "\n(if this is meant: PLUMB_WRITE_SAID=1 writes it anew)";
 }
 
