@@ -12,18 +12,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::pair<std::string, std::string>> parts{
-    {"4", "Sections 4 and 6: the deformation gradient"},
-    {"5.1", "Section 5.1: swinging plate"},
-    {"5.2", "Section 5.2: spinning plate and cube"},
-    {"5.3", "Section 5.3: bending column"},
-    {"5.4", "Section 5.4: pulling column"},
-    {"5.5", "Section 5.5: twisting column"}};
-/// Sections in which no claim may be left open.
+/// A part of the ledger with the files that hold it.
+struct Part {
+  std::string id, title;
+  std::vector<std::string> files;
+};
+
+const std::vector<Part> parts{
+    {"4", "Paper 000, sections 4 and 6: the deformation gradient", {"000-4"}},
+    {"5.1", "Paper 000, section 5.1: swinging plate", {"000-5.1"}},
+    {"5.2", "Paper 000, section 5.2: spinning plate and cube", {"000-5.2"}},
+    {"5.3", "Paper 000, section 5.3: bending column", {"000-5.3"}},
+    {"5.4", "Paper 000, section 5.4: pulling column", {"000-5.4"}},
+    {"5.5", "Paper 000, section 5.5: twisting column", {"000-5.5"}},
+    {"002", "Paper 002: updated Lagrangian SPH", {"002-2", "002-5"}},
+    {"003", "Paper 003: the mixed system", {"003-2-6", "003-8.1"}},
+    {"004", "Paper 004: implicit equilibria", {"004-6.1", "004-6.2", "004-6.3", "004-6.6", "004-equations"}}};
+/// Sections of paper 000 in which no claim may be left open.
 const std::vector<std::string> closed{"4", "5.1", "5.2", "5.3"};
 
-/// The part of the ledger that a claim at "5.3, Table 1" belongs to; what section 6 says stands with 4.
+/// The part of the ledger that a claim belongs to: its paper, and of paper 000 the section ("5.3, Table 1");
+/// what section 6 says stands with 4.
 std::string part_of(const Json& claim) {
+  const std::string paper = text(claim, "paper");
+  if (paper != "000") return paper;
   const std::string where = text(claim, "where");
   return where.front() == '5' ? where.substr(0, 3) : "4";
 }
@@ -60,9 +72,9 @@ DataTable table_of(const std::string& part, const std::string& title) {
 Section write(const Results& results) {
   const Json result = results.json("claims");
   Section s;
-  s.question = "Which numbers and comparisons of sections 4 and 5 of the paper are reproduced?";
+  s.question = "Which numbers and statements of the papers are reproduced?";
   std::map<std::string, int> count, open;
-  for (const auto& [part, title] : parts) {
+  for (const auto& [part, title, files] : parts) {
     DataTable table = table_of(part, title);
     for (const auto& claim : result.at("claims")) {
       if (part_of(claim) != part) continue;
@@ -81,14 +93,14 @@ Section write(const Results& results) {
       all, count["reproduced"], count["ambiguous"], count["contradicted"], count["open"]);
   s.headlines = {
       {fmt::format("{} claims", all),
-       fmt::format("of the paper: {} reproduced, {} ambiguous, {} contradicted, {} open", count["reproduced"],
-                   count["ambiguous"], count["contradicted"], count["open"])}};
+       fmt::format("of the papers: {} reproduced, {} ambiguous, {} contradicted, {} open",
+                   count["reproduced"], count["ambiguous"], count["contradicted"], count["open"])}};
   s.checks.push_back(as(CheckKind::book_keeping,
                         {"claims in the ledger", "at least 40", fmt::format("{}", all), pass_if(all >= 40)}));
   for (const auto& part : closed)
     s.checks.push_back(
-        as(CheckKind::book_keeping,
-           {"open claims of section " + part, "0", fmt::format("{}", open[part]), pass_if(open[part] == 0)}));
+        as(CheckKind::book_keeping, {"open claims of paper 000, section " + part, "0",
+                                     fmt::format("{}", open[part]), pass_if(open[part] == 0)}));
   s.notes = {
       "A claim is reproduced if it holds in every reading of what the paper leaves open, ambiguous if it "
       "holds "
@@ -102,12 +114,13 @@ Section write(const Results& results) {
 
 }  // namespace
 
-/// The ledger of the claims of paper 000.
+/// The ledger of the papers' claims.
 SectionPlan claims(bool) {
-  const std::string folder = "verification/claims/000-";
+  const std::string folder = "verification/claims/";
   Job job{"claims", {"claims"}, {}};
-  for (const auto& [part, title] : parts) job.inputs.push_back(folder + part + ".toml");
-  return {810, "claims", "Ledger of the paper's claims", {job}, write};
+  for (const auto& part : parts)
+    for (const auto& file : part.files) job.inputs.push_back(folder + file + ".toml");
+  return {810, "claims", "Ledger of the papers' claims", {job}, write};
 }
 
 }  // namespace plumb::reports::sections

