@@ -109,7 +109,8 @@ TEST_F(Ledgers, PlantedFaultsAreCountedAndTheSampleIsBesideThem) {
 
 TEST_F(Ledgers, ClaimsAreCountedByStatusAndPart) {
   const auto claim = [](const char* where, const char* status) {
-    return Json{{"where", where},
+    return Json{{"paper", "000"},
+                {"where", where},
                 {"claim", "c"},
                 {"published", "p"},
                 {"status", status},
@@ -132,7 +133,8 @@ TEST_F(Ledgers, ClaimsAreCountedByStatusAndPart) {
       "contradicted and 1 are open.");
   ASSERT_EQ(s.headlines.size(), 1u);
   EXPECT_EQ(s.headlines[0].number, "10 claims");
-  EXPECT_EQ(s.headlines[0].what, "of the paper: 3 reproduced, 4 ambiguous, 2 contradicted, 1 open");
+  EXPECT_EQ(s.headlines[0].what, "of the papers: 3 reproduced, 4 ambiguous, 2 contradicted, 1 open");
+  EXPECT_EQ(by_id(s.tables, "claims-003").rows.size(), 0u);
   EXPECT_EQ(by_id(s.tables, "claims-4").rows.size(), 2u);  // what section 6 says stands with 4
   EXPECT_EQ(by_id(s.tables, "claims-5-5").rows.size(), 3u);
   const DataTable first = by_id(s.tables, "claims-5-1");
@@ -143,8 +145,8 @@ TEST_F(Ledgers, ClaimsAreCountedByStatusAndPart) {
   std::map<std::string, std::string> verdicts;
   for (const auto& check : s.checks) verdicts[check.what] = check.verdict + " " + check.measured;
   EXPECT_EQ(verdicts["claims in the ledger"], "fail 10");
-  EXPECT_EQ(verdicts["open claims of section 5.3"], "fail 1");
-  EXPECT_EQ(verdicts["open claims of section 5.1"], "pass 0");
+  EXPECT_EQ(verdicts["open claims of paper 000, section 5.3"], "fail 1");
+  EXPECT_EQ(verdicts["open claims of paper 000, section 5.1"], "pass 0");
 }
 
 TEST_F(Ledgers, SentencesAreCounted) {
