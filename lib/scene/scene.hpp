@@ -48,10 +48,10 @@ struct Body {
                                 ///< a box. A scene that was read always has them
   Layout layout =
       Layout::node;  ///< node: boundary conditions act where they are stated; cell is first order only there
-  double jitter = 0.0;     ///< random displacement of interior particles, as a fraction of d, in [0, 0.5)
-  std::uint64_t seed = 1;  ///< of the jitter: the same seed gives the same cloud
-  std::string file;             ///< particles come from there; empty: they fill the shape
-  std::vector<double> points;   ///< [m] of the file, as many numbers each as the dimension
+  double jitter = 0.0;         ///< random displacement of interior particles, as a fraction of d, in [0, 0.5)
+  std::uint64_t seed = 1;      ///< of the jitter: the same seed gives the same cloud
+  std::string file;            ///< particles come from there; empty: they fill the shape
+  std::vector<double> points;  ///< [m] of the file, as many numbers each as the dimension
   std::vector<double> volumes;  ///< [m^d] of the file; empty: those of Voronoi cells within the shape
 };
 

@@ -109,8 +109,9 @@ message = "plumb: unknown command \"frobnicate\"<any>"
   EXPECT_EQ(document["exit_code"], outcome.code);
   EXPECT_NE(document["kind"], "error") << outcome.error;
   EXPECT_TRUE(GetParam().starts_with(document["kind"].get<std::string>())) << document["kind"];
-  EXPECT_EQ(document["status"] == "completed" || document["status"] == "pass" || document["status"] == "undeclared",
-            outcome.code == 0)
+  EXPECT_EQ(
+      document["status"] == "completed" || document["status"] == "pass" || document["status"] == "undeclared",
+      outcome.code == 0)
       << document["status"];
 }
 

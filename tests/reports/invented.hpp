@@ -356,20 +356,21 @@ inline Json Invention::run(const Words& w) {
   write_particles(plane, w.contains("output.vtk") && w.at("output.vtk") == "true");
   const auto made = start_row();
   const auto get = [&](const char* column) { return invent(made, column); };
-  return {{"status", "completed"},
-          {"particles", 64},
-          {"dimension", plane ? 2 : 3},
-          {"time", get("time")},
-          {"steps", get("steps")},
-          {"energy",
-           {{"initial", get("initial")}, {"relative_change", get("relative_change")}, {"strain", get("strain")}}},
-          {"dt", {{"first", get("first dt")}, {"min", get("least dt")}}},
-          {"angular_momentum", {0, 0, get("angular momentum")}},
-          {"extent", {{"min", {0, 0, 0}}, {"max", {1, 1, get("height")}}}},
-          {"hourglass_share", get("hourglass_share")},
-          {"probes", {{"tip", {{"displacement", {number(), number(), number()}}}}}},
-          {"failure", nullptr},
-          {"timing", {{"cpu_s", get("cpu_s")}}}};
+  return {
+      {"status", "completed"},
+      {"particles", 64},
+      {"dimension", plane ? 2 : 3},
+      {"time", get("time")},
+      {"steps", get("steps")},
+      {"energy",
+       {{"initial", get("initial")}, {"relative_change", get("relative_change")}, {"strain", get("strain")}}},
+      {"dt", {{"first", get("first dt")}, {"min", get("least dt")}}},
+      {"angular_momentum", {0, 0, get("angular momentum")}},
+      {"extent", {{"min", {0, 0, 0}}, {"max", {1, 1, get("height")}}}},
+      {"hourglass_share", get("hourglass_share")},
+      {"probes", {{"tip", {{"displacement", {number(), number(), number()}}}}}},
+      {"failure", nullptr},
+      {"timing", {{"cpu_s", get("cpu_s")}}}};
 }
 
 }  // namespace plumb::test

@@ -10,9 +10,9 @@
 #include "plumb/parts.hpp"
 #include "plumbline/core/type_list.hpp"
 #include "plumbline/gradient/catalogue.hpp"
-#include "plumbline/scene/names.hpp"
 #include "plumbline/input/unit_names.hpp"
 #include "plumbline/input/units.hpp"
+#include "plumbline/scene/names.hpp"
 
 namespace plumb {
 namespace {

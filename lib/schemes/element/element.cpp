@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-/// Quadratic elements share a traction out as Simpson's rule does, by its values at the nodes with weights of 1
-/// to 4 to 1, where tributary areas are as 1 to 2 to 1.
+/// Quadratic elements share a traction out as Simpson's rule does, by its values at the nodes with weights of
+/// 1 to 4 to 1, where tributary areas are as 1 to 2 to 1.
 template <int d>
 Actions<d> with_areas_of_elements(Actions<d> actions, const Cloud<d>& cloud, int degree) {
   if (degree == 1) return actions;
