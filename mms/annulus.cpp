@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::mms {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "plumbline/compatible/mesh_surface.hpp"
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/shape.hpp"
+#include "lib/schemes/tlsph/compatible/mesh_surface.hpp"
 
 namespace plumb::mms {
 

@@ -5,10 +5,10 @@
 #include <complex>
 #include <random>
 
+#include "lib/material/laws.hpp"
 #include "mms/catalogue.hpp"
 #include "mms/central_difference.hpp"
 #include "mms/derive.hpp"
-#include "plumbline/material/laws.hpp"
 
 namespace plumb::mms {
 namespace {

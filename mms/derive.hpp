@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 
+#include "lib/core/types.hpp"
 #include "mms/ad/dual.hpp"
 #include "mms/ad/jet.hpp"
-#include "plumbline/core/types.hpp"
 
 namespace plumb::mms {
 

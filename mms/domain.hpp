@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb::mms {
 

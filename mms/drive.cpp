@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "lib/schemes/tlsph/boundary/apply_actions.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "mms/mirrored.hpp"
-#include "plumbline/boundary/apply_actions.hpp"
-#include "plumbline/boundary/supports.hpp"
 
 namespace plumb::mms {
 namespace {

@@ -2,11 +2,11 @@
 #include <memory>
 #include <optional>
 
+#include "lib/actions/actions.hpp"
+#include "lib/geometry/layout.hpp"
+#include "lib/schemes/tlsph/loops/solid.hpp"
+#include "lib/schemes/tlsph/time/integrator.hpp"
 #include "mms/manufactured.hpp"
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/geometry/layout.hpp"
-#include "plumbline/solid/solid.hpp"
-#include "plumbline/time/integrator.hpp"
 
 namespace plumb::mms {
 

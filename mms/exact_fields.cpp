@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "lib/material/point.hpp"
 #include "mms/central_difference.hpp"
-#include "plumbline/material/point.hpp"
 
 namespace plumb::mms {
 namespace {

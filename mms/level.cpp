@@ -8,14 +8,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lib/geometry/shaped_cloud.hpp"
+#include "lib/scene/scheme_simulation.hpp"
+#include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
 #include "mms/mirrored.hpp"
 #include "mms/pace.hpp"
 #include "mms/scheme_level.hpp"
-#include "plumbline/compatible/clipped_surface.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
-#include "plumbline/scene/scheme_simulation.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -43,7 +43,7 @@ void check_domain(const Study& study, const Manufactured<d>& solution) {
 
 /// Walls with images behind them; none unless the layout is mirror.
 template <int d>
-std::vector<Wall> walls_of(const Study& study, const Manufactured<d>& solution) {
+std::vector<Wall> driven_walls(const Study& study, const Manufactured<d>& solution) {
   return study.body.layout == Layout::mirror ? mirror_walls(solution) : std::vector<Wall>{};
 }
 
@@ -54,7 +54,7 @@ bool has_rings(const Study& study) {
 
 /// The scene of one level, without initial state and with no boundaries but mirrors: the rest comes from the
 /// solution.
-Scene scene_of(const Study& study, const std::vector<Wall>& walls, double spacing, double end) {
+Scene scene_of_level(const Study& study, const std::vector<Wall>& walls, double spacing, double end) {
   Scene scene;
   scene.name = study.name;
   scene.dimension = study.dimension();
@@ -120,7 +120,7 @@ StudyLevel level_of(const Sitting::Json& part) {
 }
 
 Scene scene_of_level(const Study& study, double spacing) {
-  return scene_of(study, {}, spacing, end_time(study));
+  return scene_of_level(study, {}, spacing, end_time(study));
 }
 
 bool wants_gauss(const Study& study) {
@@ -165,8 +165,8 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
 }
 
 template <int d>
-TlsphSimulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  const Scene scene = scene_of(study, walls_of(study, solution), spacing, end_time(study));
+TlsphSimulation<d> driven_simulation(const Study& study, const Manufactured<d>& solution, double spacing) {
+  const Scene scene = scene_of_level(study, driven_walls(study, solution), spacing, end_time(study));
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
     if (domain.shape == Domain<d>::Shape::annulus) {
@@ -188,7 +188,7 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
   if (study.method.scheme == "implicit")
     throw InputError("scheme = \"implicit\" does not follow a motion in time",
                      "it goes from equilibrium to equilibrium", "use scheme = \"tlsph\" or \"mixed\"");
-  DrivenBody<d> body{simulation_of<d>(study, solution, spacing), {}};
+  DrivenBody<d> body{driven_simulation<d>(study, solution, spacing), {}};
   TlsphSimulation<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
                        {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
@@ -247,7 +247,7 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   template Manufactured<d> solution_of<d>(const Study&);                                               \
   template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                               \
   template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);            \
-  template TlsphSimulation<d> simulation_of<d>(const Study&, const Manufactured<d>&, double);          \
+  template TlsphSimulation<d> driven_simulation<d>(const Study&, const Manufactured<d>&, double);      \
   template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
   template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&);     \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);

@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
+#include "lib/output/sitting.hpp"
+#include "lib/scene/study.hpp"
+#include "lib/scene/tlsph.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/norms.hpp"
-#include "plumbline/output/sitting.hpp"
-#include "plumbline/scene/study.hpp"
-#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb::mms {
 

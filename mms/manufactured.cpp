@@ -1,7 +1,7 @@
 #include "mms/manufactured.hpp"
 
+#include "lib/material/laws.hpp"
 #include "mms/catalogue.hpp"
-#include "plumbline/material/laws.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -35,6 +35,12 @@ std::vector<SolutionEntry> solution_list() {
   std::vector<SolutionEntry> entries;
   for_each_type(SolutionCatalogue{}, [&]<class S>(Type<S>) { entries.push_back(entry_of<S>()); });
   return entries;
+}
+
+std::vector<std::string> solution_names() {
+  std::vector<std::string> names;
+  for (const SolutionEntry& entry : solution_list()) names.push_back(entry.name);
+  return names;
 }
 
 SolutionEntry solution_entry(std::string_view name) {

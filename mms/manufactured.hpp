@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "lib/material/law.hpp"
 #include "mms/derive.hpp"
 #include "mms/domain.hpp"
 #include "mms/parameters.hpp"
-#include "plumbline/material/law.hpp"
 
 namespace plumb::mms {
 
@@ -46,6 +46,8 @@ struct SolutionEntry {
 
 /// All solutions, by name.
 std::vector<SolutionEntry> solution_list();
+/// Returns the names that solution_list() has.
+std::vector<std::string> solution_names();
 /// One of them; InputError with the nearest name.
 SolutionEntry solution_entry(std::string_view name);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::mms {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "lib/geometry/ghosts.hpp"
 #include "mms/manufactured.hpp"
-#include "plumbline/geometry/ghosts.hpp"
 
 namespace plumb::mms {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/geometry/neighbours.hpp"
+#include "lib/geometry/neighbours.hpp"
+#include "lib/measures/measures.hpp"
 
 namespace plumb::mms {
 namespace {

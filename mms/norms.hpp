@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/geometry/ghosts.hpp"
-#include "plumbline/gradient/correction.hpp"
-#include "plumbline/solid/solid.hpp"
+#include "lib/geometry/ghosts.hpp"
+#include "lib/kernel/correction.hpp"
+#include "lib/schemes/tlsph/loops/solid.hpp"
 
 namespace plumb::mms {
 
@@ -76,7 +76,7 @@ template <int d>
 struct Interpolation {
   RadialKernel<d> kernel;
   double smoothing_length;  ///< h [m]
-  Pair pair;
+  Correction pair;
   std::vector<Wall> walls = {};  ///< with images behind them, which carry the mirrored displacement
 };
 

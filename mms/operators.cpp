@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/convergence/outcome.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/bonds/each_bond.hpp"
+#include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
+#include "lib/schemes/tlsph/loops/evaluate.hpp"
 #include "mms/level.hpp"
-#include "plumbline/compatible/boundary_vectors.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/gradient/each_bond.hpp"
-#include "plumbline/solid/evaluate.hpp"
 
 namespace plumb::mms {
 namespace {

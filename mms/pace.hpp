@@ -1,8 +1,8 @@
 #pragma once
 #include <chrono>
 
-#include "plumbline/output/sitting.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/output/sitting.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb::mms {
 

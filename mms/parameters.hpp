@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::mms {
 

@@ -6,15 +6,16 @@
 #include <cmath>
 #include <ctime>
 
+#include "lib/scene/scheme_simulation.hpp"
 #include "mms/drive.hpp"
-#include "plumbline/scene/scheme_simulation.hpp"
 
 namespace plumb::mms {
 namespace {
 
 /// The solution at the start, and what drives a body along it.
 template <int d>
-SchemeStart<d> start_of(const Study& study, const Manufactured<d>& solution, Cloud<d> cloud, bool body_force) {
+SchemeStart<d> start_of(const Study& study, const Manufactured<d>& solution, Cloud<d> cloud,
+                        bool body_force) {
   const double modulus = solution.density * std::pow(study.material.elastic().wave_speed(), 2);
   const DriveOptions options{study.body.layout, body_force, study.held_band};
   SchemeStart<d> start{{}, actions_of(cloud, modulus, solution, options), {}};
@@ -35,14 +36,15 @@ NodalValues<d> nodal_values(const Snapshot<d>& shown) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Mat<3>& F = shown.F[i];
     const Mat<3> P = shown.cauchy[i] * cofactor<3, double>(F);
-    values[i] = {shown.u[i], F.topLeftCorner<d, d>() - Mat<d>::Identity(), shown.v[i], P.topLeftCorner<d, d>()};
+    values[i] = {shown.u[i], F.topLeftCorner<d, d>() - Mat<d>::Identity(), shown.v[i],
+                 P.topLeftCorner<d, d>()};
   }
   return values;
 }
 
 template <int d>
-LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
-                             Sitting& sitting) {
+LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution, double spacing,
+                             bool body_force, Sitting& sitting) {
   const std::clock_t begin = std::clock();
   const Scene scene = scene_of_level(study, spacing);
   LevelRun<d> out;

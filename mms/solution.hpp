@@ -2,11 +2,11 @@
 #include <concepts>
 #include <string_view>
 
+#include "lib/core/types.hpp"
+#include "lib/material/material.hpp"
 #include "mms/ad/jet.hpp"
 #include "mms/domain.hpp"
 #include "mms/parameters.hpp"
-#include "plumbline/core/types.hpp"
-#include "plumbline/material/material.hpp"
 
 namespace plumb::mms {
 

@@ -6,9 +6,9 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/statics/statics.hpp"
 #include "mms/manufactured.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/statics/statics.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -18,7 +18,7 @@ double cpu_now() {
 }
 
 template <int d>
-TlsphSimulation<d> simulation_of(const Study& study, double spacing) {
+TlsphSimulation<d> body_of(const Study& study, double spacing) {
   if (study.method.projection)
     throw InputError("[projection] in a static study", "it takes the torque off a force and has no stiffness",
                      "Leave it out.");
@@ -114,7 +114,7 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const TlsphSimulation<d> simulation = simulation_of<d>(study, spacing);
+  const TlsphSimulation<d> simulation = body_of<d>(study, spacing);
   const Solid<d>& solid = simulation.solid;
   level.compatible = simulation.compatible;
   level.setup_s = cpu_now() - start;

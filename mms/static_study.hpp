@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
 #include "mms/study.hpp"
-#include "plumbline/compatible/compatible.hpp"
 
 namespace plumb::mms {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/outcome.hpp"
 #include "mms/level.hpp"
-#include "plumbline/convergence/outcome.hpp"
 
 namespace plumb::mms {
 namespace {

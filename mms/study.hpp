@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lib/convergence/verdict.hpp"
 #include "mms/level.hpp"
-#include "plumbline/convergence/verdict.hpp"
 
 namespace plumb::mms {
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/outcome.hpp"
+#include "lib/schemes/tlsph/time/catalogue.hpp"
 #include "mms/pace.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/time/catalogue.hpp"
 
 namespace plumb::mms {
 namespace {

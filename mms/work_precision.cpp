@@ -7,8 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lib/core/sentences.hpp"
 #include "mms/level.hpp"
-#include "plumbline/core/sentences.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -55,7 +55,7 @@ void count(const Sitting::Json& part, WorkPoint& point, bool warm_up) {
   point.wall_s = std::min(point.wall_s, level.wall_s);
 }
 
-void run_once(const Variant& variant, int turn, WorkPoint& point, Sitting& sitting) {
+void run_once(const Contender& variant, int turn, WorkPoint& point, Sitting& sitting) {
   const auto make = [&] {
     return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.d, turn == 0, sitting)
                                           : make_run<3>(variant.study, point.d, turn == 0, sitting);
@@ -121,7 +121,7 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& points) {
   return front;
 }
 
-WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
+WorkPrecision work_precision(const std::vector<Contender>& variants, int repeats,
                              const std::vector<double>& errors, const StudyProgress& progress,
                              Sitting& sitting) {
   WorkPrecision result;

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "lib/output/sitting.hpp"
+#include "lib/scene/study.hpp"
 #include "mms/study.hpp"
-#include "plumbline/output/sitting.hpp"
-#include "plumbline/scene/study.hpp"
 
 namespace plumb::mms {
 
 /// A study under the name of what makes it different from the others.
-struct Variant {
+struct Contender {
   std::string label;
   Study study;
 };
@@ -49,11 +49,11 @@ struct WorkPrecision {
 /// the coarsest level's costs what that level costs. A level that cannot be built is a point without error;
 /// throws InputError if that is so for all of them. Each run is a part of the sitting; throws SittingEnded
 /// if that ends.
-WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
+WorkPrecision work_precision(const std::vector<Contender>& variants, int repeats,
                              const std::vector<double>& errors, const StudyProgress& progress,
                              Sitting& sitting);
 /// The same in one sitting.
-inline WorkPrecision work_precision(const std::vector<Variant>& variants, int repeats,
+inline WorkPrecision work_precision(const std::vector<Contender>& variants, int repeats,
                                     const std::vector<double>& errors) {
   Sitting whole;
   return work_precision(variants, repeats, errors, {}, whole);

@@ -10,15 +10,15 @@ namespace {
 
 const char* const cubic = "poly:1,0,0,1";
 const char* const sine = "sin:5";
-const Method standard{"standard", Pair::W1}, improved{"improved", Pair::W1},
-    improved_W0{"improved", Pair::W0};
+const GradientMethod standard{"standard", Correction::W1}, improved{"improved", Correction::W1},
+    improved_W0{"improved", Correction::W0};
 
 Holds decide(bool holds) {
   return holds ? Holds::yes : Holds::no;
 }
 
 /// Estimate minus exact derivative at every particle.
-std::vector<double> errors(const Discretisation& d, const std::string& field, const Method& method) {
+std::vector<double> errors(const Discretisation& d, const std::string& field, const GradientMethod& method) {
   std::vector<double> result;
   for (const GradientRow& row : gradient_rows(d, {parse_field(field)}, {method})) result.push_back(row.error);
   return result;
@@ -31,7 +31,8 @@ double largest(const std::vector<double>& error) {
 }
 
 /// RMSE of a field and method over N, coarse to fine.
-std::vector<double> rmse(const Study& study, const std::string& field, const Method& method) {
+std::vector<double> rmse(const RefinementStudy& study, const std::string& field,
+                         const GradientMethod& method) {
   std::vector<double> result;
   for (const StudyRow& row : study.rows)
     if (row.field == field && row.estimator == method.estimator && row.pair == method.pair)
@@ -39,7 +40,7 @@ std::vector<double> rmse(const Study& study, const std::string& field, const Met
   return result;
 }
 
-const StudyFit& fit(const Study& study, const std::string& field, const Method& method) {
+const StudyFit& fit(const RefinementStudy& study, const std::string& field, const GradientMethod& method) {
   return *std::find_if(study.fits.begin(), study.fits.end(), [&](const StudyFit& f) {
     return f.field == field && f.estimator == method.estimator && f.pair == method.pair && f.norm == "rmse";
   });
@@ -63,7 +64,7 @@ double sum_named(const KernelView& view, const std::string& name) {
       ->second;
 }
 
-void section_2_2(std::vector<Sentence>& all) {
+void section_2_2(std::vector<Remark>& all) {
   Discretisation d;
   d.length = 2;
   d.n = 200;
@@ -85,9 +86,9 @@ void section_2_2(std::vector<Sentence>& all) {
        {{"sum V grad W0 at x = 0 [1/m]", zeroth}, {"sum V X grad W0 at x = 0", first}}});
 }
 
-void linear_field(std::vector<Sentence>& all) {
+void linear_field(std::vector<Remark>& all) {
   const Discretisation paper;
-  const auto bond = errors(paper, "poly:1,1", {"bond", Pair::W1});
+  const auto bond = errors(paper, "poly:1,1", {"bond", Correction::W1});
   const double inside = 1 + bond[bond.size() / 2], wall = 1 + bond.front();
   all.push_back({"4.1, Figure 4",
                  "For x = X + 1 the bond-based estimate is not 1, even far from the boundary.",
@@ -103,7 +104,7 @@ void linear_field(std::vector<Sentence>& all) {
                  {{"largest error, standard", a}, {"largest error, improved", b}}});
 }
 
-void higher_fields(std::vector<Sentence>& all) {
+void higher_fields(std::vector<Remark>& all) {
   const Discretisation paper;
   const double a = largest(errors(paper, "poly:1,0,1", standard)),
                b = largest(errors(paper, "poly:1,0,1", improved));
@@ -131,7 +132,8 @@ Holds readings(bool with_ratio, bool with_radius) {
   return with_ratio || with_radius ? Holds::partly : Holds::no;
 }
 
-void figure_6_sentences(const Study& ratio, const Study& radius, std::vector<Sentence>& all) {
+void figure_6_sentences(const RefinementStudy& ratio, const RefinementStudy& radius,
+                        std::vector<Remark>& all) {
   const auto falls = [](const std::vector<double>& e) { return e.back() < e.front() / 2; };
   const auto c = rmse(radius, cubic, improved), s = rmse(radius, sine, improved);
   all.push_back({"4.1, Figure 6a",
@@ -169,9 +171,9 @@ void figure_6_sentences(const Study& ratio, const Study& radius, std::vector<Sen
         {"first over last RMSE, R fixed", b.front() / b.back()}}});
 }
 
-void discrepancies(const Study& ratio, const Study& radius, std::vector<Sentence>& all) {
+void discrepancies(const RefinementStudy& ratio, const RefinementStudy& radius, std::vector<Remark>& all) {
   double best = 1e300;  // W0 over W1, the least of all levels, fields and readings
-  for (const Study* study : {&ratio, &radius})
+  for (const RefinementStudy* study : {&ratio, &radius})
     for (const char* field : {cubic, sine}) {
       const auto with_W0 = rmse(*study, field, improved_W0), with_W1 = rmse(*study, field, improved);
       for (std::size_t k = 0; k < with_W0.size(); ++k) best = std::min(best, with_W0[k] / with_W1[k]);
@@ -181,7 +183,7 @@ void discrepancies(const Study& ratio, const Study& radius, std::vector<Sentence
                  decide(best < 1),
                  "On uniform particles it is never better than the one with W1, in either reading.",
                  {{"least RMSE with W0 over RMSE with W1", best}}});
-  const auto gain = [](const Study& study, const char* field) {
+  const auto gain = [](const RefinementStudy& study, const char* field) {
     return rmse(study, field, standard).back() / rmse(study, field, improved).back();
   };
   all.push_back(
@@ -209,17 +211,17 @@ std::string_view name_of(Holds holds) {
   return "holds under a condition";
 }
 
-Study figure_6_study(Reading reading) {
+RefinementStudy figure_6_study(Reading reading) {
   Discretisation d;
   if (reading == Reading::fixed_radius) d.radius = {0.5, true};
   return refine(d, {40, 80, 160, 320, 640, 1280, 2560, 5120}, {parse_field(cubic), parse_field(sine)},
                 {standard, improved, improved_W0});
 }
 
-std::vector<Sentence> account() {
-  const Study fixed_ratio = figure_6_study(Reading::fixed_ratio);
-  const Study fixed_radius = figure_6_study(Reading::fixed_radius);
-  std::vector<Sentence> all;
+std::vector<Remark> account() {
+  const RefinementStudy fixed_ratio = figure_6_study(Reading::fixed_ratio);
+  const RefinementStudy fixed_radius = figure_6_study(Reading::fixed_radius);
+  std::vector<Remark> all;
   section_2_2(all);
   linear_field(all);
   higher_fields(all);

@@ -16,7 +16,7 @@ enum class Holds {
 std::string_view name_of(Holds holds);
 
 /// One sentence of paper 000 about the 1D study, and what was measured.
-struct Sentence {
+struct Remark {
   std::string where;    ///< "4.1", "2.2", with the figure
   std::string claim;    ///< in our words, close to the print
   Holds holds;          ///< decided from the measured numbers, not by hand
@@ -31,10 +31,10 @@ enum class Reading {
 };
 
 /// The study behind Figure 6: X^3 + 1 and sin(5X); standard with W1, improved with W1 and W0; N = 40 to 5120.
-Study figure_6_study(Reading reading);
+RefinementStudy figure_6_study(Reading reading);
 
 /// The sentences of section 4.1 (and two of section 2.2) with the numbers that decide them. About one CPU
 /// second: it runs both readings of Figure 6.
-std::vector<Sentence> account();
+std::vector<Remark> account();
 
 }  // namespace plumb::oned

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::oned {
 namespace {
@@ -114,7 +114,7 @@ std::vector<Window> windows(const Cloud<1>& cloud, double R) {
   return all;
 }
 
-std::vector<std::string> warnings(const Discretisation& d, const std::vector<Field>& fields) {
+std::vector<std::string> warnings(const Discretisation& d, const std::vector<TestField>& fields) {
   std::vector<std::string> all;
   const double ratio = d.support() / d.dx();
   const double nearest = std::round(ratio);
@@ -124,7 +124,7 @@ std::vector<std::string> warnings(const Discretisation& d, const std::vector<Fie
             ? fmt::format("R/dx = {:.12g}: R is the spacing itself, rounding picks the neighbours", ratio)
             : "R is a whole number of spacings: the particles at r = R count as outside (harmless, W(R) = "
               "0)");
-  for (const Field& field : fields)
+  for (const TestField& field : fields)
     if (const auto* sine = std::get_if<Sine>(&field.form))
       if (std::abs(sine->wave_number) * d.dx() > std::numbers::pi)
         all.push_back(fmt::format("field \"{}\" is aliased at n = {}: k dx = {:.4g} > pi", field.text, d.n,

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/core/types.hpp"
+#include "lib/geometry/cloud.hpp"
 #include "oned/field.hpp"
-#include "plumbline/core/types.hpp"
-#include "plumbline/geometry/cloud.hpp"
 
 namespace plumb::oned {
 
@@ -62,6 +62,6 @@ Window window_at(const Cloud<1>& cloud, double R, double x);
 std::vector<Window> windows(const Cloud<1>& cloud, double R);
 
 /// What a user should know although it can be computed: R on a lattice distance, aliased waves.
-std::vector<std::string> warnings(const Discretisation& discretisation, const std::vector<Field>& fields);
+std::vector<std::string> warnings(const Discretisation& discretisation, const std::vector<TestField>& fields);
 
 }  // namespace plumb::oned

@@ -55,10 +55,10 @@ KernelView explore(const Discretisation& discretisation, double x) {
                      "Increase --radius or --radius-over-dx.");
   std::vector<Neighbour<1>> seen;
   see(cloud, window, x, seen);
-  const auto plain = correct<1>(Pair::none, kernel, h, seen);
-  const auto shepard = correct<1>(Pair::W0raw, kernel, h, seen);
-  const auto normalised = correct<1>(Pair::W0, kernel, h, seen);
-  const auto first_order = correct<1>(Pair::W1, kernel, h, seen);
+  const auto plain = correct<1>(Correction::none, kernel, h, seen);
+  const auto shepard = correct<1>(Correction::W0raw, kernel, h, seen);
+  const auto normalised = correct<1>(Correction::W0, kernel, h, seen);
+  const auto first_order = correct<1>(Correction::W1, kernel, h, seen);
   std::vector<Vec<1>> plain_normalised = plain.gradient;
   normalise_gradient<1>(seen, plain_normalised);
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::oned {
 namespace {
@@ -46,7 +46,7 @@ const std::vector<std::string> kinds = {"poly", "sin", "exp", "tanh", "runge"};
 
 }  // namespace
 
-Field parse_field(std::string_view given) {
+TestField parse_field(std::string_view given) {
   const std::string_view text = trimmed(given);
   const auto colon = text.find(':');
   const std::string_view kind = trimmed(text.substr(0, colon));
@@ -116,7 +116,7 @@ struct Derivative {
 };
 
 template <class Function>
-std::vector<double> sampled(const Field& field, const std::vector<Vec<1>>& positions, Function function) {
+std::vector<double> sampled(const TestField& field, const std::vector<Vec<1>>& positions, Function function) {
   std::vector<double> samples;
   samples.reserve(positions.size());
   for (const Vec<1>& position : positions) {
@@ -132,17 +132,17 @@ std::vector<double> sampled(const Field& field, const std::vector<Vec<1>>& posit
 
 }  // namespace
 
-double value(const Field& field, double X) {
+double value(const TestField& field, double X) {
   return std::visit(Value{X}, field.form);
 }
-double derivative(const Field& field, double X) {
+double derivative(const TestField& field, double X) {
   return std::visit(Derivative{X}, field.form);
 }
 
-std::vector<double> values(const Field& field, const std::vector<Vec<1>>& positions) {
+std::vector<double> values(const TestField& field, const std::vector<Vec<1>>& positions) {
   return sampled(field, positions, value);
 }
-std::vector<double> derivatives(const Field& field, const std::vector<Vec<1>>& positions) {
+std::vector<double> derivatives(const TestField& field, const std::vector<Vec<1>>& positions) {
   return sampled(field, positions, derivative);
 }
 

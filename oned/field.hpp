@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb::oned {
 
@@ -28,23 +28,23 @@ struct Tanh {
 struct Runge {};
 
 /// A scalar function of X with its exact derivative: the deformation x(X) whose gradient is estimated.
-struct Field {
+struct TestField {
   std::string text;  ///< as the user wrote it, "poly:1,0,0,1"
   std::variant<Polynomial, Sine, Exponential, Tanh, Runge> form;
 };
 
 /// Reads "poly:a0,a1,.." | "sin:k" | "sin:A,k,phi" | "exp:k" | "tanh:k,x0" | "runge".
 /// InputError says which form was expected, or names the nearest one.
-Field parse_field(std::string_view text);
+TestField parse_field(std::string_view text);
 
 /// x(X)
-double value(const Field& field, double X);
+double value(const TestField& field, double X);
 /// dx/dX (X), by the formula, not by differences
-double derivative(const Field& field, double X);
+double derivative(const TestField& field, double X);
 
 /// x at every position; InputError if a value is not finite.
-std::vector<double> values(const Field& field, const std::vector<Vec<1>>& positions);
+std::vector<double> values(const TestField& field, const std::vector<Vec<1>>& positions);
 /// dx/dX at every position; InputError if a value is not finite.
-std::vector<double> derivatives(const Field& field, const std::vector<Vec<1>>& positions);
+std::vector<double> derivatives(const TestField& field, const std::vector<Vec<1>>& positions);
 
 }  // namespace plumb::oned

@@ -32,7 +32,7 @@ double gradient_sum(StencilFunction<1> stencil, Neighbourhood<1> neighbourhood, 
 }  // namespace
 
 std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kernel, double R,
-                             const Method& method, const std::vector<double>& values) {
+                             const GradientMethod& method, const std::vector<double>& values) {
   if (values.size() != cloud.X.size())
     throw InputError(fmt::format("{} values for {} particles", values.size(), cloud.X.size()),
                      "one value per particle is needed", "");
@@ -48,7 +48,7 @@ std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kerne
     double sum = 0;
     for (std::size_t k = 0; k < c.size(); ++k)
       sum += (values[static_cast<std::size_t>(supports[i].first) + k] - values[i]) * c[k][0];
-    if (method.pair == Pair::none && method.form == Form::printed)
+    if (method.pair == Correction::none && method.form == Form::printed)
       sum += values[i] * gradient_sum(stencil, neighbourhood, corrected, c);
     F[i] = sum;
   }
@@ -63,25 +63,26 @@ GradientRow GradientTable::row(std::size_t k) const {
       column.method.estimator, column.method.pair, fields[column.field], X[i], right, value, value - right};
 }
 
-GradientTable gradient_table(const Discretisation& discretisation, const std::vector<Field>& fields,
-                             const std::vector<Method>& methods) {
+GradientTable gradient_table(const Discretisation& discretisation, const std::vector<TestField>& fields,
+                             const std::vector<GradientMethod>& methods) {
   const Cloud<1> cloud = make_cloud(discretisation);
   const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
   GradientTable table;
   for (const auto& X : cloud.X) table.X.push_back(X[0]);
-  for (const Field& field : fields) {
+  for (const TestField& field : fields) {
     const std::vector<double> x = values(field, cloud.X);
     table.exact.push_back(derivatives(field, cloud.X));
     table.fields.push_back(field.text);
-    for (const Method& method : methods)
+    for (const GradientMethod& method : methods)
       table.columns.push_back(
           {method, table.fields.size() - 1, estimate(cloud, kernel, discretisation.support(), method, x)});
   }
   return table;
 }
 
-std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
-                                       const std::vector<Method>& methods) {
+std::vector<GradientRow> gradient_rows(const Discretisation& discretisation,
+                                       const std::vector<TestField>& fields,
+                                       const std::vector<GradientMethod>& methods) {
   const GradientTable table = gradient_table(discretisation, fields, methods);
   std::vector<GradientRow> rows;
   for (std::size_t k = 0; k < table.size(); ++k) rows.push_back(table.row(k));

@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/kernel/correction.hpp"
+#include "lib/schemes/tlsph/bonds/estimator.hpp"
 #include "oned/cloud.hpp"
-#include "plumbline/gradient/correction.hpp"
-#include "plumbline/gradient/estimator.hpp"
 
 namespace plumb::oned {
 
@@ -19,9 +19,9 @@ enum class Form {
 Form form_named(std::string_view name);
 
 /// A way to estimate a gradient: estimator (standard, bond, improved, ..) and corrected kernel pair.
-struct Method {
+struct GradientMethod {
   std::string estimator = "improved";
-  Pair pair = Pair::W1;
+  Correction pair = Correction::W1;
   Form form = Form::printed;  ///< matters for the pair `none` only
 };
 
@@ -29,15 +29,15 @@ struct Method {
 void see(const Cloud<1>& cloud, Window window, double x, std::vector<Neighbour<1>>& neighbourhood);
 
 /// dx/dX at every particle from the values at the particles: F_i = sum_j (x_j - x_i) c_ij, with c from the
-/// correction and estimator catalogues of lib/gradient. `values` has one entry per particle. Time and memory:
+/// correction and estimator catalogues of lib/schemes/tlsph/bonds. `values` has one entry per particle. Time and memory:
 /// linear in particles times neighbours, and in particles. InputError as windows() and estimator_named().
 std::vector<double> estimate(const Cloud<1>& cloud, const RadialKernel<1>& kernel, double R,
-                             const Method& method, const std::vector<double>& values);
+                             const GradientMethod& method, const std::vector<double>& values);
 
 /// One line of `plumb oned gradient`.
 struct GradientRow {
   std::string estimator;
-  Pair pair;
+  Correction pair;
   std::string field;
   double X;      ///< [m]
   double exact;  ///< dx/dX
@@ -48,7 +48,7 @@ struct GradientRow {
 /// Every field by every method at every particle, each number held once.
 struct GradientTable {
   struct Column {
-    Method method;
+    GradientMethod method;
     std::size_t field;          ///< of `fields`
     std::vector<double> value;  ///< the estimate at every particle
   };
@@ -61,11 +61,12 @@ struct GradientTable {
   /// Row k: column by column, the particles within.
   GradientRow row(std::size_t k) const;
 };
-GradientTable gradient_table(const Discretisation& discretisation, const std::vector<Field>& fields,
-                             const std::vector<Method>& methods);
+GradientTable gradient_table(const Discretisation& discretisation, const std::vector<TestField>& fields,
+                             const std::vector<GradientMethod>& methods);
 
 /// The same as rows.
-std::vector<GradientRow> gradient_rows(const Discretisation& discretisation, const std::vector<Field>& fields,
-                                       const std::vector<Method>& methods);
+std::vector<GradientRow> gradient_rows(const Discretisation& discretisation,
+                                       const std::vector<TestField>& fields,
+                                       const std::vector<GradientMethod>& methods);
 
 }  // namespace plumb::oned

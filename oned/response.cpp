@@ -7,8 +7,8 @@
 
 namespace plumb::oned {
 
-std::vector<double> response(const RadialKernel<1>& kernel, double radius_over_dx, const Method& method,
-                             const std::vector<double>& thetas) {
+std::vector<double> response(const RadialKernel<1>& kernel, double radius_over_dx,
+                             const GradientMethod& method, const std::vector<double>& thetas) {
   if (!(inner_radius(radius_over_dx) > 1) || radius_over_dx > 1e6)
     throw InputError(fmt::format("the radius over dx is {}", radius_over_dx),
                      "it must be above 1, or a particle has no neighbours, and at most 1000000",
@@ -30,7 +30,7 @@ std::vector<double> response(const RadialKernel<1>& kernel, double radius_over_d
 }
 
 std::vector<ResponseRow> response_rows(const std::string& kernel, double radius_over_dx,
-                                       const std::vector<Method>& methods, Index points) {
+                                       const std::vector<GradientMethod>& methods, Index points) {
   if (points < 1 || points > 1'000'000)
     throw InputError(fmt::format("the number of points is {}", points), "it must lie between 1 and 1000000",
                      "");
@@ -38,7 +38,7 @@ std::vector<ResponseRow> response_rows(const std::string& kernel, double radius_
   for (Index m = 1; m <= points; ++m)
     thetas.push_back(std::numbers::pi * static_cast<double>(m) / static_cast<double>(points));
   std::vector<ResponseRow> rows;
-  for (const Method& method : methods) {
+  for (const GradientMethod& method : methods) {
     const std::vector<double> values = response(kernel_named<1>(kernel), radius_over_dx, method, thetas);
     for (std::size_t k = 0; k < thetas.size(); ++k)
       rows.push_back({thetas[k], method.estimator, method.pair, values[k]});

@@ -21,14 +21,14 @@ double cpu_seconds() {
 
 struct Norm {
   const char* name;
-  std::optional<double> (*get)(const ErrorNorms&);
+  std::optional<double> (*get)(const GradientErrors&);
 };
 constexpr std::array<Norm, 5> norms = {
-    {{"rmse", [](const ErrorNorms& e) { return std::optional(e.rmse); }},
-     {"max", [](const ErrorNorms& e) { return std::optional(e.max); }},
-     {"interior_rmse", [](const ErrorNorms& e) { return e.interior_rmse; }},
-     {"interior_max", [](const ErrorNorms& e) { return e.interior_max; }},
-     {"boundary_max", [](const ErrorNorms& e) { return e.boundary_max; }}}};
+    {{"rmse", [](const GradientErrors& e) { return std::optional(e.rmse); }},
+     {"max", [](const GradientErrors& e) { return std::optional(e.max); }},
+     {"interior_rmse", [](const GradientErrors& e) { return e.interior_rmse; }},
+     {"interior_max", [](const GradientErrors& e) { return e.interior_max; }},
+     {"boundary_max", [](const GradientErrors& e) { return e.boundary_max; }}}};
 
 /// A field on one level, with the size of what rounding leaves of its differences: x_j - x_i carries an error
 /// of some eps |x|, and the nearest bond divides it by dx. 8 covers the sum over the support.
@@ -36,7 +36,7 @@ struct Sampled {
   std::vector<double> x, exact;
   double floor = 0;
 
-  Sampled(const Field& field, const Cloud<1>& cloud)
+  Sampled(const TestField& field, const Cloud<1>& cloud)
       : x(values(field, cloud.X)), exact(derivatives(field, cloud.X)) {
     for (const double value : x) floor = std::max(floor, std::abs(value));
     floor *= 8 * std::numeric_limits<double>::epsilon() / cloud.spacing;
@@ -58,14 +58,14 @@ std::vector<Discretisation> levels(const Discretisation& base, const std::vector
 }
 
 /// The errors of an estimate as a part of a sitting, and back.
-Sitting::Json part_of(const ErrorNorms& errors, double cpu_s) {
+Sitting::Json part_of(const GradientErrors& errors, double cpu_s) {
   Sitting::Json part{{"cpu_s", cpu_s}};
   for (const Norm& norm : norms)
     if (const auto value = norm.get(errors)) part[norm.name] = *value;
   return part;
 }
 
-ErrorNorms norms_of(const Sitting::Json& part) {
+GradientErrors norms_of(const Sitting::Json& part) {
   const auto found = [&part](const char* name) {
     return part.contains(name) ? std::optional(number_or_nan(part[name])) : std::nullopt;
   };
@@ -89,7 +89,7 @@ void fit_all(const std::vector<StudyRow>& rows, const std::vector<double>& floor
 
 }  // namespace
 
-ErrorNorms error_norms(const Cloud<1>& cloud, double R, const std::vector<double>& error) {
+GradientErrors error_norms(const Cloud<1>& cloud, double R, const std::vector<double>& error) {
   const double left = 2 * R * (1 - 1e-12), right = cloud.box.size[0] - left;
   double all = 0, inside = 0, inside_max = 0, outside_max = 0;
   std::size_t count = 0;
@@ -104,7 +104,7 @@ ErrorNorms error_norms(const Cloud<1>& cloud, double R, const std::vector<double
       outside_max = std::max(outside_max, size);
     }
   }
-  ErrorNorms norm{};
+  GradientErrors norm{};
   norm.rmse = std::sqrt(all / static_cast<double>(error.size()));
   norm.max = std::max(inside_max, outside_max);
   if (count > 0) {
@@ -115,8 +115,9 @@ ErrorNorms error_norms(const Cloud<1>& cloud, double R, const std::vector<double
   return norm;
 }
 
-Study refine(const Discretisation& discretisation, const std::vector<Index>& cells,
-             const std::vector<Field>& fields, const std::vector<Method>& methods, Sitting& sitting) {
+RefinementStudy refine(const Discretisation& discretisation, const std::vector<Index>& cells,
+                       const std::vector<TestField>& fields, const std::vector<GradientMethod>& methods,
+                       Sitting& sitting) {
   const std::vector<Discretisation> all = levels(discretisation, cells);
   const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
   std::vector<Cloud<1>> clouds;
@@ -124,13 +125,13 @@ Study refine(const Discretisation& discretisation, const std::vector<Index>& cel
     clouds.push_back(make_cloud(level));
     windows(clouds.back(), level.support());
   }
-  Study study;
-  for (const Field& field : fields) {
+  RefinementStudy study;
+  for (const TestField& field : fields) {
     std::vector<Sampled> samples;
     std::vector<double> floors;
     floors.reserve(clouds.size());
     for (const Cloud<1>& cloud : clouds) floors.push_back(samples.emplace_back(field, cloud).floor);
-    for (const Method& method : methods) {
+    for (const GradientMethod& method : methods) {
       std::vector<StudyRow> rows;
       for (std::size_t k = 0; k < all.size(); ++k) {
         const double R = all[k].support();

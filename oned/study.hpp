@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "lib/convergence/order_fit.hpp"
+#include "lib/convergence/verdict.hpp"
+#include "lib/output/sitting.hpp"
 #include "oned/gradient.hpp"
-#include "plumbline/convergence/order_fit.hpp"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/output/sitting.hpp"
 
 namespace plumb::oned {
 
 /// Norms of the error of one estimate. Interior means 2R <= X <= L - 2R: there neither the support of the
 /// particle nor that of its neighbours is cut. Empty where a body is too short to have such particles.
-struct ErrorNorms {
+struct GradientErrors {
   double rmse;                          ///< sqrt(mean of error^2) over all particles
   double max;                           ///< largest |error|
   std::optional<double> interior_rmse;  ///< over interior particles
@@ -25,36 +25,38 @@ struct StudyRow {
   Index n;
   double dx, radius;  ///< [m]
   std::string field, estimator;
-  Pair pair;
-  ErrorNorms norms;
+  Correction pair;
+  GradientErrors norms;
   double cpu_s;  ///< CPU time of this estimate: neighbours, corrections, stencils, sums [s]
 };
 
 /// Order of one norm under refinement. The trend says what the errors do where no order can be given.
 struct StudyFit {
   std::string field, estimator;
-  Pair pair;
+  Correction pair;
   std::string norm;  ///< "rmse", "max", "interior_rmse", "interior_max", "boundary_max"
   OrderFit fit;
   Trend trend;
 };
 
-struct Study {
+struct RefinementStudy {
   std::vector<StudyRow> rows;
   std::vector<StudyFit> fits;
 };
 
 /// Norms of `error` (one entry per particle).
-ErrorNorms error_norms(const Cloud<1>& cloud, double R, const std::vector<double>& error);
+GradientErrors error_norms(const Cloud<1>& cloud, double R, const std::vector<double>& error);
 
 /// Every field by every method on every level of `cells` (numbers of cells); `discretisation.n` is not used.
 /// Everything that can be refused is refused before the first estimate. Each estimate is a part of the
 /// sitting; throws SittingEnded if that ends.
-Study refine(const Discretisation& discretisation, const std::vector<Index>& cells,
-             const std::vector<Field>& fields, const std::vector<Method>& methods, Sitting& sitting);
+RefinementStudy refine(const Discretisation& discretisation, const std::vector<Index>& cells,
+                       const std::vector<TestField>& fields, const std::vector<GradientMethod>& methods,
+                       Sitting& sitting);
 /// The same in one sitting.
-inline Study refine(const Discretisation& discretisation, const std::vector<Index>& cells,
-                    const std::vector<Field>& fields, const std::vector<Method>& methods) {
+inline RefinementStudy refine(const Discretisation& discretisation, const std::vector<Index>& cells,
+                              const std::vector<TestField>& fields,
+                              const std::vector<GradientMethod>& methods) {
   Sitting whole;
   return refine(discretisation, cells, fields, methods, whole);
 }

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -188,7 +188,7 @@ std::vector<Rod> axes_of(const Camera& camera, const View& view, bool plane, dou
 }  // namespace
 
 Picture body_picture(const std::string& title, const BodyState& state, const View& view,
-                     const Quantity& quantity, double edge, const std::vector<BodyState>& extent) {
+                     const ColourScale& quantity, double edge, const std::vector<BodyState>& extent) {
   if (state.position.empty())
     throw InputError("the body cannot be drawn", "it has no particles", "Look at the files of the run.");
   const bool plane = is_plane(state);

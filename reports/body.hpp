@@ -38,7 +38,7 @@ struct View {
 };
 
 /// What the quantity is called, how it is scaled and where its colours end.
-struct Quantity {
+struct ColourScale {
   std::string label, unit;
   double scale = 1;  ///< shown value = scale * value
   double low = 0, high = 1;
@@ -48,6 +48,6 @@ struct Quantity {
 /// no lattice. `edge` is the spacing [m]. All pictures of one `extent` have the same scale.
 /// @throws InputError if there is no particle.
 Picture body_picture(const std::string& title, const BodyState& state, const View& view,
-                     const Quantity& quantity, double edge, const std::vector<BodyState>& extent);
+                     const ColourScale& quantity, double edge, const std::vector<BodyState>& extent);
 
 }  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/convergence/verdict.hpp"
+#include "lib/convergence/verdict.hpp"
 #include "reports/page/page.hpp"
 
 namespace plumb::reports {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumbline/convergence/order_fit.hpp"
+#include "lib/convergence/order_fit.hpp"
 #include "reports/section.hpp"
 
 namespace plumb::reports {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "reports/plot/gnuplot.hpp"
 #include "reports/plot/prepare.hpp"
 #include "reports/plot/script.hpp"

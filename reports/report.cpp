@@ -9,11 +9,11 @@
 #include <system_error>
 #include <thread>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/progress.hpp"
-#include "plumbline/output/sitting.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/progress.hpp"
+#include "lib/output/sitting.hpp"
+#include "lib/output/table.hpp"
 #include "reports/page/page.hpp"
 #include "reports/run/expected_times.hpp"
 #include "reports/run/process.hpp"

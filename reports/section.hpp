@@ -62,7 +62,7 @@ struct DataTable {
 };
 
 /// One picture of an animation.
-struct Frame {
+struct Still {
   std::string label;  ///< for instance its time
   Picture picture;
 };
@@ -72,7 +72,7 @@ struct Figure {
   Picture picture;
   std::string caption;
   std::vector<std::string> jobs = {};  ///< where the numbers come from
-  std::vector<Frame> frames = {};      ///< shown in place of `picture`, one after the other
+  std::vector<Still> frames = {};      ///< shown in place of `picture`, one after the other
 };
 
 /// One fact for the first screen: "94 of 94", "planted faults turned a test red".

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "plumbline/convergence/verdict.hpp"
+#include "lib/convergence/verdict.hpp"
 #include "reports/named.hpp"
 #include "reports/results.hpp"
 

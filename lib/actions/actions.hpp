@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 /// What acts on a body from outside. Scenes and manufactured solutions both make an Actions value; every
 /// scheme applies it after its own forces.

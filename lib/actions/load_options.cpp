@@ -1,8 +1,8 @@
-#include "plumbline/actions/load_options.hpp"
+#include "lib/actions/load_options.hpp"
 
 #include <algorithm>
 
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
 
 namespace plumb {
 

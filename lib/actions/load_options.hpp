@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "plumbline/input/expression.hpp"
+#include "lib/input/expression.hpp"
 
 namespace plumb {
 

@@ -10,8 +10,9 @@ foreach(part lib mms oned reports)
   endif()
 endforeach()
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ ${PROJECT_BINARY_DIR}/generated/plumbline/
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline COMPONENT library FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ ${PROJECT_BINARY_DIR}/generated/lib/ ${PROJECT_BINARY_DIR}/generated/plumbline/
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline COMPONENT library FILES_MATCHING PATTERN "*.hpp"
+        PATTERN "compatible/solver" EXCLUDE)
 foreach(part mms oned reports)  # included as "mms/..": their include directory is include/plumbline
   if(TARGET plumbline::${part})
     get_target_property(target plumbline::${part} ALIASED_TARGET)
@@ -24,6 +25,17 @@ if(EXISTS ${PROJECT_BINARY_DIR}/generated/mms)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/generated/mms DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumbline
           COMPONENT library)
 endif()
+
+# In the tree a header is "lib/core/..", installed it is "plumbline/core/..": its includes follow.
+install(CODE "
+  file(GLOB_RECURSE headers \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/plumbline/*.hpp\")
+  foreach(header IN LISTS headers)
+    file(READ \${header} text)
+    string(REPLACE \"#include \\\"lib/\" \"#include \\\"plumbline/\" installed \"\${text}\")
+    if(NOT installed STREQUAL text)
+      file(WRITE \${header} \"\${installed}\")
+    endif()
+  endforeach()" COMPONENT library)
 
 # The interface for other languages: the shared library, one header, a Fortran module as source, a Python module.
 if(TARGET plumbline::c)

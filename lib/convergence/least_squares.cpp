@@ -1,4 +1,4 @@
-#include "plumbline/convergence/least_squares.hpp"
+#include "lib/convergence/least_squares.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

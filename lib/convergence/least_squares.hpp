@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/convergence/richardson.hpp"
+#include "lib/convergence/richardson.hpp"
 
 namespace plumb {
 

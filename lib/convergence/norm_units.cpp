@@ -1,4 +1,4 @@
-#include "plumbline/convergence/norm_units.hpp"
+#include "lib/convergence/norm_units.hpp"
 
 #include <fmt/format.h>
 

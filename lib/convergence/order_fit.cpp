@@ -1,4 +1,4 @@
-#include "plumbline/convergence/order_fit.hpp"
+#include "lib/convergence/order_fit.hpp"
 
 #include <gsl/gsl_fit.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

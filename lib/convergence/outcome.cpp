@@ -1,4 +1,4 @@
-#include "plumbline/convergence/outcome.hpp"
+#include "lib/convergence/outcome.hpp"
 
 #include <algorithm>
 

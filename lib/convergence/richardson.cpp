@@ -1,11 +1,11 @@
-#include "plumbline/convergence/richardson.hpp"
+#include "lib/convergence/richardson.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <string>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/convergence/order_fit.hpp"
+#include "lib/convergence/order_fit.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/convergence/verdict.hpp"
+#include "lib/convergence/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

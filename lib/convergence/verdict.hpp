@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "plumbline/convergence/order_fit.hpp"
+#include "lib/convergence/order_fit.hpp"
 
 namespace plumb {
 

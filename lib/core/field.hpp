@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 
-#include "plumbline/core/pack.hpp"
-#include "plumbline/core/types.hpp"
+#include "lib/core/pack.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "plumbline/core/pack.hpp"
+#include "lib/core/pack.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/core/sentences.hpp"
+#include "lib/core/sentences.hpp"
 
 namespace plumb {
 namespace {

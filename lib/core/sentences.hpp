@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 

@@ -1,10 +1,10 @@
-#include "plumbline/geometry/clipped_cells.hpp"
+#include "lib/geometry/clipped_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/geometry/simplex.hpp"
-#include "plumbline/geometry/voronoi_cells.hpp"
+#include "lib/geometry/simplex.hpp"
+#include "lib/geometry/voronoi_cells.hpp"
 
 namespace plumb {
 namespace {

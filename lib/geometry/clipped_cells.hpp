@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/geometry/facets.hpp"
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/facets.hpp"
+#include "lib/geometry/shape.hpp"
 
 namespace plumb {
 

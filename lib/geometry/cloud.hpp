@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/core/types.hpp"
-#include "plumbline/geometry/layout.hpp"
+#include "lib/core/types.hpp"
+#include "lib/geometry/layout.hpp"
 
 namespace plumb {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

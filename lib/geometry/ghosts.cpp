@@ -1,10 +1,10 @@
-#include "plumbline/geometry/ghosts.hpp"
+#include "lib/geometry/ghosts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <random>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

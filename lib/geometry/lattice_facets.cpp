@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "plumbline/geometry/facets.hpp"
+#include "lib/geometry/facets.hpp"
 
 namespace plumb {
 namespace {

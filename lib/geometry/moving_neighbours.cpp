@@ -1,4 +1,4 @@
-#include "plumbline/geometry/moving_neighbours.hpp"
+#include "lib/geometry/moving_neighbours.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 /// Neighbours of particles that move: a list that looks a skin farther than it must, and values per pair.
 namespace plumb {

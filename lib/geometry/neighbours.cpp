@@ -1,4 +1,4 @@
-#include "plumbline/geometry/neighbours.hpp"
+#include "lib/geometry/neighbours.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nanoflann.hpp>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

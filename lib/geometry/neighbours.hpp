@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

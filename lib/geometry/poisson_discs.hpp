@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

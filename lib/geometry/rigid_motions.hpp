@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

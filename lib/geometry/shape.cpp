@@ -1,8 +1,8 @@
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/shape.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/geometry/shape_catalogue.hpp"
+#include "lib/geometry/shape_catalogue.hpp"
 
 namespace plumb {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

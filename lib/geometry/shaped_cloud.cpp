@@ -1,9 +1,9 @@
-#include "plumbline/geometry/shaped_cloud.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/geometry/poisson_discs.hpp"
+#include "lib/geometry/clipped_cells.hpp"
+#include "lib/geometry/poisson_discs.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/shape.hpp"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <voro++/voro++.hh>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/facets.hpp"
-#include "plumbline/geometry/voronoi_cells.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/facets.hpp"
+#include "lib/geometry/voronoi_cells.hpp"
 
 namespace plumb {
 namespace {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

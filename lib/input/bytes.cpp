@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "plumbline/input/point_formats.hpp"
+#include "lib/input/point_formats.hpp"
 
 namespace plumb {
 namespace {

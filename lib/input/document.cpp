@@ -1,4 +1,4 @@
-#include "plumbline/input/document.hpp"
+#include "lib/input/document.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "plumbline/input/spelling.hpp"
+#include "lib/input/spelling.hpp"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/input/scene_error.hpp"
+#include "lib/input/scene_error.hpp"
 
 namespace plumb {
 

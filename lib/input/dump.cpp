@@ -5,8 +5,8 @@
 #include <charconv>
 #include <sstream>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/point_formats.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/point_formats.hpp"
 
 namespace plumb {
 namespace {

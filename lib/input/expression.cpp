@@ -1,4 +1,4 @@
-#include "plumbline/input/expression.hpp"
+#include "lib/input/expression.hpp"
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/spelling.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/spelling.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/input/point_file.hpp"
+#include "lib/input/point_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <map>
 #include <numeric>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/document.hpp"
-#include "plumbline/input/number_table.hpp"
-#include "plumbline/input/point_formats.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/document.hpp"
+#include "lib/input/number_table.hpp"
+#include "lib/input/point_formats.hpp"
 
 namespace plumb {
 namespace {

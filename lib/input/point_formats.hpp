@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "plumbline/input/point_file.hpp"
+#include "lib/input/point_file.hpp"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 

@@ -1,10 +1,10 @@
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "plumbline/input/spelling.hpp"
+#include "lib/input/spelling.hpp"
 
 namespace plumb {
 

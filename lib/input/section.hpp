@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/input/document.hpp"
-#include "plumbline/input/expression.hpp"
-#include "plumbline/input/units.hpp"
+#include "lib/input/document.hpp"
+#include "lib/input/expression.hpp"
+#include "lib/input/units.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/input/spelling.hpp"
+#include "lib/input/spelling.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "plumbline/input/units.hpp"
+#include "lib/input/units.hpp"
 
 namespace plumb {
 namespace {

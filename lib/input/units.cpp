@@ -1,4 +1,4 @@
-#include "plumbline/input/units.hpp"
+#include "lib/input/units.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/spelling.hpp"
-#include "plumbline/input/unit_names.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/spelling.hpp"
+#include "lib/input/unit_names.hpp"
 
 namespace plumb {
 namespace {

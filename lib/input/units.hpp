@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/core/quantity.hpp"
+#include "lib/core/quantity.hpp"
 
 namespace plumb {
 

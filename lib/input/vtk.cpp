@@ -9,8 +9,8 @@
 #include <cstring>
 #include <set>
 
-#include "plumbline/input/point_formats.hpp"
-#include "plumbline/input/vtk_text.hpp"
+#include "lib/input/point_formats.hpp"
+#include "lib/input/vtk_text.hpp"
 
 namespace plumb {
 namespace {

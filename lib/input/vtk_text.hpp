@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 

@@ -3,9 +3,9 @@
 #include <concepts>
 #include <string_view>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/core/type_list.hpp"
-#include "plumbline/kernel/catalogue.hpp"
+#include "lib/core/error.hpp"
+#include "lib/core/type_list.hpp"
+#include "lib/kernel/catalogue.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/linear/cholesky.hpp"
+#include "lib/linear/cholesky.hpp"
 
 #include <Eigen/CholmodSupport>
 #include <mutex>

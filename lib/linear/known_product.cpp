@@ -1,4 +1,4 @@
-#include "plumbline/linear/known_product.hpp"
+#include "lib/linear/known_product.hpp"
 
 #include <vector>
 

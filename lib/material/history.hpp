@@ -2,7 +2,7 @@
 #include <concepts>
 #include <string_view>
 
-#include "plumbline/material/law.hpp"
+#include "lib/material/law.hpp"
 
 /// Laws whose stress depends on what was before: plasticity. They work in three
 /// dimensions; plane strain in 2D.

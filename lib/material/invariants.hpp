@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/material/material.hpp"
+#include "lib/material/material.hpp"
 
 namespace plumb {
 

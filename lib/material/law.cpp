@@ -1,11 +1,11 @@
-#include "plumbline/material/law.hpp"
+#include "lib/material/law.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 

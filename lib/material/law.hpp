@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/core/quantity.hpp"
-#include "plumbline/material/material.hpp"
+#include "lib/core/quantity.hpp"
+#include "lib/material/material.hpp"
 
 /// What every law of the catalogue has beside its stress: parameters of its
 /// own, read from a scene by name and unit. A law with parameters holds

@@ -1,4 +1,4 @@
-#include "plumbline/material/laws.hpp"
+#include "lib/material/laws.hpp"
 
 namespace plumb {
 namespace {

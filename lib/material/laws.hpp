@@ -1,10 +1,10 @@
 #pragma once
 #include <type_traits>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/catalogue.hpp"
-#include "plumbline/material/history.hpp"
-#include "plumbline/material/plane_stress.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/catalogue.hpp"
+#include "lib/material/history.hpp"
+#include "lib/material/plane_stress.hpp"
 
 /// The laws of the catalogue by kind: elastic ones have an energy W(F), the others a history.
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "plumbline/material/logarithmic_strain.hpp"
+#include "lib/material/logarithmic_strain.hpp"
 
 #include <Eigen/Eigenvalues>
 

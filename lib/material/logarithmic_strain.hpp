@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <concepts>
 #include <string_view>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

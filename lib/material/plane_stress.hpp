@@ -5,9 +5,9 @@
 #include <concepts>
 #include <limits>
 
-#include "plumbline/core/roots.hpp"
-#include "plumbline/core/scalar.hpp"
-#include "plumbline/material/law.hpp"
+#include "lib/core/roots.hpp"
+#include "lib/core/scalar.hpp"
+#include "lib/material/law.hpp"
 
 namespace plumb {
 

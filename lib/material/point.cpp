@@ -1,8 +1,8 @@
-#include "plumbline/material/point.hpp"
+#include "lib/material/point.hpp"
 
 #include <cmath>
 
-#include "plumbline/material/laws.hpp"
+#include "lib/material/laws.hpp"
 
 namespace plumb {
 namespace {

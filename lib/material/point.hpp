@@ -2,7 +2,7 @@
 #include <functional>
 #include <optional>
 
-#include "plumbline/material/law.hpp"
+#include "lib/material/law.hpp"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <complex>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/output/file.hpp"
+#include "lib/output/file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/pieces.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/pieces.hpp"
 
 namespace plumb {
 namespace {
@@ -95,7 +95,8 @@ void make_folder(const fs::path& path, std::string_view option) {
 }
 
 void replace_file(const fs::path& path, std::string_view content, Flush flush) {
-  replace_file_in_pieces(path, [content](const WritePiece& write) { write(content); }, flush);
+  replace_file_in_pieces(
+      path, [content](const WritePiece& write) { write(content); }, flush);
 }
 
 void replace_file_in_pieces(const fs::path& path, const Make& make, Flush flush) {

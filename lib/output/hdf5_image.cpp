@@ -1,4 +1,4 @@
-#include "plumbline/output/hdf5_image.hpp"
+#include "lib/output/hdf5_image.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

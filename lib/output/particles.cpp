@@ -1,4 +1,4 @@
-#include "plumbline/output/particles.hpp"
+#include "lib/output/particles.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
 
 namespace plumb {
 namespace {
@@ -64,7 +64,7 @@ std::string data_array(const std::string& name, int components, const std::vecto
 }
 
 /// Vectors of `components` numbers as vectors of three, the rest zero.
-std::vector<double> in_space(std::span<const double> values, int components) {
+std::vector<double> padded_to_three(std::span<const double> values, int components) {
   std::vector<double> padded(values.size() / components * 3, 0.0);
   for (std::size_t k = 0; k < values.size(); ++k) padded[k / components * 3 + k % components] = values[k];
   return padded;
@@ -75,7 +75,7 @@ std::string field_array(const PointField& field, std::size_t particles) {
     throw std::invalid_argument(
         fmt::format("field \"{}\" has {} numbers for {} particles with {} components each", field.name,
                     field.values.size(), particles, field.components));
-  if (field.components == 2) return data_array(field.name, 3, in_space(field.values, 2));
+  if (field.components == 2) return data_array(field.name, 3, padded_to_three(field.values, 2));
   return data_array(field.name, field.components,
                     std::vector<double>(field.values.begin(), field.values.end()));
 }
@@ -103,7 +103,8 @@ std::string vtp_text(const ParticleFrame& frame) {
       frame.time, count, count);
   text += data_array("id", 1, numbers);
   for (const auto& field : frame.fields) text += field_array(field, count);
-  text += "</PointData>\n<Points>\n" + data_array("Points", 3, in_space(frame.positions, frame.dimension)) +
+  text += "</PointData>\n<Points>\n" +
+          data_array("Points", 3, padded_to_three(frame.positions, frame.dimension)) +
           "</Points>\n<Verts>\n" + data_array("connectivity", 1, numbers) + data_array("offsets", 1, ends) +
           "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
   return text;

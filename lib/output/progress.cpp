@@ -1,4 +1,4 @@
-#include "plumbline/output/progress.hpp"
+#include "lib/output/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/output/bar_line.hpp"
-#include "plumbline/output/terminal.hpp"
+#include "lib/output/bar_line.hpp"
+#include "lib/output/terminal.hpp"
 
 namespace plumb {
 

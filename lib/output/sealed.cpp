@@ -1,4 +1,4 @@
-#include "plumbline/output/sealed.hpp"
+#include "lib/output/sealed.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstdint>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "plumbline/output/series.hpp"
+#include "lib/output/series.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,9 +9,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/table.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "plumbline/output/sitting.hpp"
+#include "lib/output/sitting.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/output/file.hpp"
+#include "lib/output/file.hpp"
 
 namespace plumb {
 namespace {

@@ -1,11 +1,11 @@
-#include "plumbline/output/table.hpp"
+#include "lib/output/table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/output/table_parts.hpp"
+#include "lib/output/table_parts.hpp"
 
 namespace plumb {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/output/table.hpp"
+#include "lib/output/table.hpp"
 
 /// plain_text() of a table that is written in parts.
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "plumbline/output/terminal.hpp"
+#include "lib/output/terminal.hpp"
 
 #include <sys/ioctl.h>
 #include <unistd.h>

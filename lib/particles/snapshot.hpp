@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/core/types.hpp"
+#include "lib/core/types.hpp"
 
 namespace plumb {
 

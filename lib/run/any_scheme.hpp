@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/moving_neighbours.hpp"
-#include "plumbline/run/simulation.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/moving_neighbours.hpp"
+#include "lib/run/simulation.hpp"
 
 /// Makes a Simulation of any scheme, once per run.
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "plumbline/run/checkpoint.hpp"
+#include "lib/run/checkpoint.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/hdf5_image.hpp"
-#include "plumbline/output/sealed.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/hdf5_image.hpp"
+#include "lib/output/sealed.hpp"
 
 namespace plumb {
 namespace {
@@ -25,7 +25,7 @@ std::string text_of(const std::map<std::string, std::string>& scene) {
   return text;
 }
 
-std::map<std::string, std::string> scene_of(const std::string& text) {
+std::map<std::string, std::string> choices_of(const std::string& text) {
   std::map<std::string, std::string> scene;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -54,7 +54,7 @@ std::string text_of(const std::vector<SavedField>& fields) {
 /// The fields that the text lists, with their values.
 std::vector<SavedField> fields_of(const Hdf5Image& file) {
   std::vector<SavedField> fields;
-  for (const auto& [name, components] : scene_of(file.text("fields"))) {
+  for (const auto& [name, components] : choices_of(file.text("fields"))) {
     const int count = std::atoi(components.c_str());
     if (count < 1) throw InputError(fmt::format("field {} has no components", name), "", "");
     fields.push_back({name, count, file.numbers(name.c_str())});
@@ -102,7 +102,7 @@ void write(const Hdf5Image& file, const Checkpoint& c) {
 Checkpoint read(const Hdf5Image& file) {
   Checkpoint c;
   c.program = file.text("program");
-  c.scene = scene_of(file.text("scene"));
+  c.scene = choices_of(file.text("scene"));
   const auto whole = file.integers("dimension and step", 2);
   c.dimension = whole[0], c.state.now.step = whole[1];
   c.state.now.time = file.numbers("time", 1)[0];

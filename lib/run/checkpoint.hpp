@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/run/run.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/run/run.hpp"
 
 namespace plumb {
 

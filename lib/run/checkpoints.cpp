@@ -1,11 +1,11 @@
-#include "plumbline/run/checkpoints.hpp"
+#include "lib/run/checkpoints.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
 
 namespace plumb {
 

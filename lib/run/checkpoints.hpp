@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "plumbline/run/checkpoint.hpp"
-#include "plumbline/run/simulation.hpp"
+#include "lib/run/checkpoint.hpp"
+#include "lib/run/simulation.hpp"
 
 namespace plumb {
 

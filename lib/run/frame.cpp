@@ -1,7 +1,7 @@
-#include "plumbline/run/frame.hpp"
+#include "lib/run/frame.hpp"
 
-#include "plumbline/material/material.hpp"
-#include "plumbline/material/point.hpp"
+#include "lib/material/material.hpp"
+#include "lib/material/point.hpp"
 
 namespace plumb {
 namespace {

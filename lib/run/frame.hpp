@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/output/particles.hpp"
-#include "plumbline/output/table.hpp"
-#include "plumbline/particles/snapshot.hpp"
-#include "plumbline/run/output_fields.hpp"
+#include "lib/output/particles.hpp"
+#include "lib/output/table.hpp"
+#include "lib/particles/snapshot.hpp"
+#include "lib/run/output_fields.hpp"
 
 namespace plumb {
 

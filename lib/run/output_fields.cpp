@@ -1,9 +1,9 @@
-#include "plumbline/run/output_fields.hpp"
+#include "lib/run/output_fields.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/material.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/material.hpp"
 
 namespace plumb {
 namespace {

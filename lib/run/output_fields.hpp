@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/particles/snapshot.hpp"
-#include "plumbline/run/simulation.hpp"
+#include "lib/particles/snapshot.hpp"
+#include "lib/run/simulation.hpp"
 
 /// What [output] fields can add to particle files and to the columns of probes.
 namespace plumb {

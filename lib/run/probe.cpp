@@ -1,4 +1,4 @@
-#include "plumbline/run/probe.hpp"
+#include "lib/run/probe.hpp"
 
 #include <limits>
 

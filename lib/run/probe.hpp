@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/core/types.hpp"
-#include "plumbline/run/output_options.hpp"
+#include "lib/core/types.hpp"
+#include "lib/run/output_options.hpp"
 
 namespace plumb {
 

@@ -1,10 +1,10 @@
-#include "plumbline/run/recorder.hpp"
+#include "lib/run/recorder.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "plumbline/run/frame.hpp"
+#include "lib/run/frame.hpp"
 
 namespace plumb {
 namespace {

@@ -3,11 +3,11 @@
 #include <memory>
 #include <optional>
 
-#include "plumbline/output/particles.hpp"
-#include "plumbline/output/series.hpp"
-#include "plumbline/run/checkpoint.hpp"
-#include "plumbline/run/probe.hpp"
-#include "plumbline/run/simulation.hpp"
+#include "lib/output/particles.hpp"
+#include "lib/output/series.hpp"
+#include "lib/run/checkpoint.hpp"
+#include "lib/run/probe.hpp"
+#include "lib/run/simulation.hpp"
 
 namespace plumb {
 

@@ -1,11 +1,11 @@
-#include "plumbline/run/run.hpp"
+#include "lib/run/run.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/time/closest_pairs.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/time/closest_pairs.hpp"
 
 namespace plumb {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "plumbline/run/saved_state.hpp"
-#include "plumbline/time/closest_pairs.hpp"
-#include "plumbline/time/default_cfl.hpp"
-#include "plumbline/time/integrator.hpp"
-#include "plumbline/time/time_step.hpp"
+#include "lib/run/saved_state.hpp"
+#include "lib/schemes/default_cfl.hpp"
+#include "lib/schemes/tlsph/time/closest_pairs.hpp"
+#include "lib/schemes/tlsph/time/integrator.hpp"
+#include "lib/schemes/tlsph/time/time_step.hpp"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/solid/solid.hpp"
+#include "lib/schemes/tlsph/loops/solid.hpp"
 
 namespace plumb {
 

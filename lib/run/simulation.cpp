@@ -1,4 +1,4 @@
-#include "plumbline/run/simulation.hpp"
+#include "lib/run/simulation.hpp"
 
 namespace plumb {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/particles/snapshot.hpp"
-#include "plumbline/run/run.hpp"
-#include "plumbline/run/saved_state.hpp"
-#include "plumbline/schemes/scheme.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/particles/snapshot.hpp"
+#include "lib/run/run.hpp"
+#include "lib/run/saved_state.hpp"
+#include "lib/schemes/scheme.hpp"
 
 namespace plumb {
 

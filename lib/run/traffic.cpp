@@ -1,4 +1,4 @@
-#include "plumbline/run/traffic.hpp"
+#include "lib/run/traffic.hpp"
 
 namespace plumb {
 

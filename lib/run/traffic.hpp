@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/time/integrator.hpp"
+#include "lib/schemes/tlsph/time/integrator.hpp"
 
 namespace plumb {
 

@@ -1,13 +1,13 @@
-#include "plumbline/scene/actions_of_scene.hpp"
+#include "lib/scene/actions_of_scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/scene/held_motion.hpp"
+#include "lib/core/error.hpp"
+#include "lib/scene/held_motion.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
 
 namespace plumb {
 namespace {
@@ -33,7 +33,7 @@ std::vector<Index> held_particles(const Cloud<d>& cloud, const Boundary& boundar
     return found;
   }
   auto found =
-      particles_where<d>(cloud, [&](const Vec<d>& X) { return boundary.where->holds_at(in_space(X)); });
+      particles_where<d>(cloud, [&](const Vec<d>& X) { return boundary.where->holds_at(coordinates_of(X)); });
   if (found.empty()) throw holds_nowhere(boundary, "particle");
   return found;
 }
@@ -44,7 +44,7 @@ Held<d> held_of(const Cloud<d>& cloud, const Boundary& boundary, Layout layout, 
   held.name = name_of(boundary);
   held.steady = is_steady(boundary);
   held.motion = [boundary, time_scale](const Vec<d>& at, int component, double time) {
-    return prescribed_motion(boundary, in_space(at), component, time, time_scale);
+    return prescribed_motion(boundary, coordinates_of(at), component, time, time_scale);
   };
   for (const Index i : held_particles<d>(cloud, boundary, layout)) {
     if (boundary.kind == BoundaryKind::roller) {
@@ -89,7 +89,7 @@ SurfaceLoad<d> surface_load_of(const Cloud<d>& cloud, const Boundary& boundary,
   load.name = name_of(boundary);
   for (const Facet<d>& facet : facets) {
     const bool on = boundary.face ? lies_on(facet, *boundary.face, cloud)
-                                  : boundary.where->holds_at(in_space(middle_of(facet, cloud)));
+                                  : boundary.where->holds_at(coordinates_of(middle_of(facet, cloud)));
     if (on) load.places.push_back({facet.owner, middle_of(facet, cloud), facet.area});
   }
   if (load.places.empty()) {
@@ -100,7 +100,7 @@ SurfaceLoad<d> surface_load_of(const Cloud<d>& cloud, const Boundary& boundary,
   const auto& formulas = boundary.traction;
   if (boundary.kind == BoundaryKind::pressure) {
     load.pressure = [boundary](const Vec<d>& at, double time) {
-      return ramp_share(boundary.ramp, time) * boundary.pressure->at(in_space(at), time);
+      return ramp_share(boundary.ramp, time) * boundary.pressure->at(coordinates_of(at), time);
     };
     load.steady = !boundary.ramp && !boundary.pressure->uses_time();
   } else {

@@ -3,15 +3,15 @@
 #include <functional>
 #include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/geometry/facets.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/geometry/facets.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 
 /// Returns the point at which expressions of X, Y, Z are asked.
-std::array<double, 3> in_space(const auto& X) {
+std::array<double, 3> coordinates_of(const auto& X) {
   std::array<double, 3> point{0, 0, 0};
   for (int k = 0; k < X.size(); ++k) point[k] = X[k];
   return point;
@@ -21,7 +21,7 @@ std::array<double, 3> in_space(const auto& X) {
 template <int d>
 Vec<d> evaluate_at(const std::vector<Expression>& expressions, const Vec<d>& X, double time = 0) {
   Vec<d> value;
-  for (int k = 0; k < d; ++k) value[k] = expressions[k].at(in_space(X), time);
+  for (int k = 0; k < d; ++k) value[k] = expressions[k].at(coordinates_of(X), time);
   return value;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 class Section;

@@ -1,8 +1,8 @@
-#include "plumbline/scene/compatible_table.hpp"
+#include "lib/scene/compatible_table.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/compatible/lattice_closure.hpp"
+#include "lib/schemes/tlsph/compatible/lattice_closure.hpp"
 
 namespace plumb {
 

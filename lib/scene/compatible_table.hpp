@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "plumbline/compatible/compatible.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
 
 namespace plumb {
 

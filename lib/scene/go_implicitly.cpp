@@ -1,11 +1,11 @@
-#include "plumbline/scene/go_implicitly.hpp"
+#include "lib/scene/go_implicitly.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/schemes/implicit/energy_momentum.hpp"
-#include "plumbline/schemes/implicit/load_path.hpp"
-#include "plumbline/schemes/implicit/midpoint.hpp"
+#include "lib/core/error.hpp"
+#include "lib/schemes/implicit/energy_momentum.hpp"
+#include "lib/schemes/implicit/load_path.hpp"
+#include "lib/schemes/implicit/midpoint.hpp"
 
 namespace plumb {
 namespace {

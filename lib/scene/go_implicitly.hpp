@@ -1,8 +1,8 @@
 #pragma once
-#include "plumbline/run/simulation.hpp"
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/schemes/implicit/body_motion.hpp"
-#include "plumbline/schemes/implicit/stored_energy.hpp"
+#include "lib/run/simulation.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/implicit/body_motion.hpp"
+#include "lib/schemes/implicit/stored_energy.hpp"
 
 namespace plumb {
 

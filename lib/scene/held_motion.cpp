@@ -1,11 +1,11 @@
-#include "plumbline/scene/held_motion.hpp"
+#include "lib/scene/held_motion.hpp"
 
 #include <gsl/gsl_deriv.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "plumbline/actions/load_options.hpp"
+#include "lib/actions/load_options.hpp"
 
 namespace plumb {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 

@@ -1,6 +1,6 @@
-#include "plumbline/scene/initial_motion.hpp"
+#include "lib/scene/initial_motion.hpp"
 
-#include "plumbline/scene/actions_of_scene.hpp"
+#include "lib/scene/actions_of_scene.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
-#include "plumbline/run/run.hpp"
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/schemes/scheme.hpp"
+#include "lib/run/run.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/scheme.hpp"
 
 /// What a scene says of the start and of the steps, for any scheme.
 namespace plumb {

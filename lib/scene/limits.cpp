@@ -1,8 +1,8 @@
-#include "plumbline/scene/limits.hpp"
+#include "lib/scene/limits.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/scene/scheme_simulation.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 
 namespace plumb {
 

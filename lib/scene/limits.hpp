@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 

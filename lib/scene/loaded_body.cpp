@@ -1,11 +1,11 @@
-#include "plumbline/scene/loaded_body.hpp"
+#include "lib/scene/loaded_body.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/scene/actions_of_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/schemes/element/element.hpp"
+#include "lib/core/error.hpp"
+#include "lib/scene/actions_of_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/element/element.hpp"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
-#include "plumbline/run/saved_state.hpp"
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/schemes/implicit/balance.hpp"
-#include "plumbline/schemes/implicit/body_motion.hpp"
+#include "lib/run/saved_state.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/implicit/balance.hpp"
+#include "lib/schemes/implicit/body_motion.hpp"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "plumbline/compatible/clipped_surface.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
-#include "plumbline/scene/cloud_file.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
+#include "lib/scene/cloud_file.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 
 namespace plumb {
 namespace {

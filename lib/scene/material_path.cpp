@@ -1,12 +1,12 @@
-#include "plumbline/scene/material_path.hpp"
+#include "lib/scene/material_path.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/scene/readers.hpp"
+#include "lib/core/error.hpp"
+#include "lib/scene/readers.hpp"
 
 namespace plumb {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/material/point.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/material/point.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 

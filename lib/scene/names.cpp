@@ -1,15 +1,15 @@
-#include "plumbline/scene/names.hpp"
+#include "lib/scene/names.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "plumbline/geometry/shape.hpp"
-#include "plumbline/gradient/catalogue.hpp"
-#include "plumbline/kernel/catalogue.hpp"
-#include "plumbline/material/catalogue.hpp"
-#include "plumbline/momentum/catalogue.hpp"
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/time/catalogue.hpp"
+#include "lib/geometry/shape.hpp"
+#include "lib/kernel/catalogue.hpp"
+#include "lib/material/catalogue.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
+#include "lib/schemes/tlsph/bonds/momentum_catalogue.hpp"
+#include "lib/schemes/tlsph/time/catalogue.hpp"
 
 namespace plumb {
 namespace {

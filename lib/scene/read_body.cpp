@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/scene/cloud_file.hpp"
-#include "plumbline/scene/names.hpp"
-#include "plumbline/scene/readers.hpp"
+#include "lib/scene/cloud_file.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/scene/readers.hpp"
 
 namespace plumb {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/geometry/neighbours.hpp"
-#include "plumbline/geometry/position_text.hpp"
-#include "plumbline/input/point_file.hpp"
-#include "plumbline/scene/cloud_file.hpp"
-#include "plumbline/scene/readers.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/geometry/clipped_cells.hpp"
+#include "lib/geometry/neighbours.hpp"
+#include "lib/geometry/position_text.hpp"
+#include "lib/input/point_file.hpp"
+#include "lib/scene/cloud_file.hpp"
+#include "lib/scene/readers.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

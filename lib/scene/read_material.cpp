@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/law.hpp"
-#include "plumbline/scene/names.hpp"
-#include "plumbline/scene/readers.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/law.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/scene/readers.hpp"
 
 namespace plumb {
 namespace {

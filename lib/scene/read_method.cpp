@@ -3,9 +3,9 @@
 #include <charconv>
 #include <type_traits>
 
-#include "plumbline/scene/names.hpp"
-#include "plumbline/scene/readers.hpp"
-#include "plumbline/scene/scheme_simulation.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/scene/readers.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 
 namespace plumb {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "plumbline/run/output_fields.hpp"
-#include "plumbline/scene/names.hpp"
-#include "plumbline/scene/readers.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/run/output_fields.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/scene/readers.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

@@ -1,11 +1,11 @@
-#include "plumbline/scene/read_scene.hpp"
+#include "lib/scene/read_scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "plumbline/scene/readers.hpp"
+#include "lib/scene/readers.hpp"
 
 namespace plumb {
 namespace {

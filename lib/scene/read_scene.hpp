@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/input/scene_error.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/input/scene_error.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/input/section.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/input/section.hpp"
+#include "lib/scene/scene.hpp"
 
 /// One reader per section of scene and study files; each refuses unknown keys. Used by read_scene.cpp and
 /// study.cpp.

@@ -6,21 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/actions/load_options.hpp"
-#include "plumbline/actions/relaxation_options.hpp"
-#include "plumbline/dissipation/damping.hpp"
-#include "plumbline/dissipation/jst_options.hpp"
-#include "plumbline/geometry/shape.hpp"
-#include "plumbline/hourglass/hourglass_options.hpp"
-#include "plumbline/input/expression.hpp"
-#include "plumbline/material/law.hpp"
-#include "plumbline/projection/projection_options.hpp"
-#include "plumbline/run/output_options.hpp"
-#include "plumbline/schemes/element/element_options.hpp"
-#include "plumbline/schemes/implicit/implicit_options.hpp"
-#include "plumbline/schemes/mixed/mixed_options.hpp"
-#include "plumbline/schemes/updated/updated_options.hpp"
-#include "plumbline/time/default_cfl.hpp"
+#include "lib/actions/load_options.hpp"
+#include "lib/actions/relaxation_options.hpp"
+#include "lib/geometry/shape.hpp"
+#include "lib/input/expression.hpp"
+#include "lib/material/law.hpp"
+#include "lib/run/output_options.hpp"
+#include "lib/schemes/default_cfl.hpp"
+#include "lib/schemes/element/element_options.hpp"
+#include "lib/schemes/implicit/implicit_options.hpp"
+#include "lib/schemes/mixed/mixed_options.hpp"
+#include "lib/schemes/tlsph/parts/damping.hpp"
+#include "lib/schemes/tlsph/parts/hourglass_options.hpp"
+#include "lib/schemes/tlsph/parts/jst_options.hpp"
+#include "lib/schemes/tlsph/parts/projection_options.hpp"
+#include "lib/schemes/updated/updated_options.hpp"
 
 /// The scene file as plain values, in SI units. A section that is left out is a thing that is not built:
 /// nullopt or an empty list. Names (kernel, pair, ..) have been checked against the catalogues by the reader

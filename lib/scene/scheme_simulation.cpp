@@ -1,15 +1,15 @@
-#include "plumbline/scene/scheme_simulation.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 
 #include <algorithm>
 
-#include "plumbline/run/any_scheme.hpp"
-#include "plumbline/scene/actions_of_scene.hpp"
-#include "plumbline/scene/go_implicitly.hpp"
-#include "plumbline/scene/initial_motion.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/schemes/element/element.hpp"
-#include "plumbline/schemes/mixed/mixed.hpp"
-#include "plumbline/schemes/updated/updated.hpp"
+#include "lib/run/any_scheme.hpp"
+#include "lib/scene/actions_of_scene.hpp"
+#include "lib/scene/go_implicitly.hpp"
+#include "lib/scene/initial_motion.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/element/element.hpp"
+#include "lib/schemes/mixed/mixed.hpp"
+#include "lib/schemes/updated/updated.hpp"
 
 namespace plumb {
 namespace {

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/run/simulation.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/run/simulation.hpp"
+#include "lib/scene/scene.hpp"
 
 /// Schemes of the room `schemes` in the harness, by the name in [method].
 namespace plumb {

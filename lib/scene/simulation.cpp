@@ -1,7 +1,7 @@
-#include "plumbline/scene/simulation.hpp"
+#include "lib/scene/simulation.hpp"
 
-#include "plumbline/scene/go_implicitly.hpp"
-#include "plumbline/scene/scheme_simulation.hpp"
+#include "lib/scene/go_implicitly.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "plumbline/run/simulation.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/run/simulation.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 

@@ -1,10 +1,10 @@
-#include "plumbline/scene/study.hpp"
+#include "lib/scene/study.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "plumbline/scene/readers.hpp"
+#include "lib/scene/readers.hpp"
 
 namespace plumb {
 namespace {

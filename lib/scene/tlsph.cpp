@@ -1,23 +1,23 @@
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/tlsph.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/boundary/apply_actions.hpp"
-#include "plumbline/compatible/clipped_surface.hpp"
-#include "plumbline/compatible/consistent_force.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/gradient/own_supports.hpp"
-#include "plumbline/scene/actions_of_scene.hpp"
-#include "plumbline/scene/compatible_table.hpp"
-#include "plumbline/scene/initial_motion.hpp"
-#include "plumbline/scene/scheme_simulation.hpp"
-#include "plumbline/scene/warnings.hpp"
-#include "plumbline/solid/make_solid.hpp"
-#include "plumbline/solid/part_site.hpp"
+#include "lib/geometry/clipped_cells.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/actions_of_scene.hpp"
+#include "lib/scene/compatible_table.hpp"
+#include "lib/scene/initial_motion.hpp"
+#include "lib/scene/scheme_simulation.hpp"
+#include "lib/scene/warnings.hpp"
+#include "lib/schemes/tlsph/bonds/own_supports.hpp"
+#include "lib/schemes/tlsph/boundary/apply_actions.hpp"
+#include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
+#include "lib/schemes/tlsph/compatible/consistent_force.hpp"
+#include "lib/schemes/tlsph/loops/make_solid.hpp"
+#include "lib/schemes/tlsph/loops/part_site.hpp"
 
 namespace plumb {
 namespace {
@@ -90,7 +90,7 @@ BondOptions<d> bond_options(const Scene& scene, double spacing) {
   options.pair = pair_named(scene.method.pair);
   const bool compatible = scene.method.gradient == "compatible";
   options.estimator = estimator_named<d>(compatible ? scene.method.compatible.start : scene.method.gradient);
-  if (options.pair == Pair::none) options.estimator = &normalised_kernel_gradient<d>;
+  if (options.pair == Correction::none) options.estimator = &normalised_kernel_gradient<d>;
   const bool variational = scene.method.momentum == "variational";
   options.momentum = momentum_form_named<d>(variational ? "adjoint" : scene.method.momentum);
   options.walls = walls_of(scene);

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/compatible/compatible.hpp"
-#include "plumbline/dissipation/jst.hpp"
-#include "plumbline/run/simulation.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/run/simulation.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
+#include "lib/schemes/tlsph/parts/jst.hpp"
 
 namespace plumb {
 

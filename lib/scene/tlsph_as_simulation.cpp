@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "plumbline/boundary/open_forces.hpp"
-#include "plumbline/boundary/relaxation.hpp"
-#include "plumbline/boundary/support_work.hpp"
-#include "plumbline/diagnostics/budget_file.hpp"
-#include "plumbline/material/point.hpp"
-#include "plumbline/run/traffic.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "lib/material/point.hpp"
+#include "lib/measures/budget_file.hpp"
+#include "lib/run/traffic.hpp"
+#include "lib/scene/simulation.hpp"
+#include "lib/schemes/tlsph/boundary/open_forces.hpp"
+#include "lib/schemes/tlsph/boundary/relaxation.hpp"
+#include "lib/schemes/tlsph/boundary/support_work.hpp"
 
 namespace plumb {
 namespace {

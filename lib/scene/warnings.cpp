@@ -1,4 +1,4 @@
-#include "plumbline/scene/warnings.hpp"
+#include "lib/scene/warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <complex>
 #include <numbers>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/kernel/kernel.hpp"
+#include "lib/core/error.hpp"
+#include "lib/kernel/kernel.hpp"
 
 namespace plumb {
 namespace {

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/solid/solid.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/schemes/tlsph/loops/solid.hpp"
 
 /// Settings that can be computed with but may surprise, each as a sentence for people with what to do.
 namespace plumb {

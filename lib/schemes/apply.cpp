@@ -1,6 +1,6 @@
-#include "plumbline/schemes/apply.hpp"
+#include "lib/schemes/apply.hpp"
 
-#include "plumbline/material/material.hpp"
+#include "lib/material/material.hpp"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/core/field.hpp"
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/core/field.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

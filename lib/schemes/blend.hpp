@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "plumbline/core/field.hpp"
-#include "plumbline/schemes/scheme.hpp"
+#include "lib/core/field.hpp"
+#include "lib/schemes/scheme.hpp"
 
 /// Runge-Kutta stages over whatever a state integrates in time.
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "plumbline/schemes/blocks.hpp"
+#include "lib/schemes/blocks.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
 
-#include "plumbline/schemes/gather.hpp"
-#include "plumbline/schemes/tensors.hpp"
-#include "plumbline/solid/state.hpp"
+#include "lib/particles/block.hpp"
+#include "lib/schemes/gather.hpp"
+#include "lib/schemes/tensors.hpp"
 
 /// Loops over all slots of a table, block by block.
 namespace plumb {

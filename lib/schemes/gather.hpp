@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "plumbline/gradient/bond_table.hpp"
+#include "lib/schemes/tlsph/bonds/bond_table.hpp"
 
 /// Loops over the bonds of one pack of slots.
 namespace plumb {

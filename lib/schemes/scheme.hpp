@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/material/law.hpp"
-#include "plumbline/particles/role.hpp"
-#include "plumbline/particles/snapshot.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/material/law.hpp"
+#include "lib/particles/role.hpp"
+#include "lib/particles/snapshot.hpp"
 
 /// What a folder of schemes/ must have to run in the harness.
 namespace plumb {

@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 
-#include "plumbline/core/roots.hpp"
-#include "plumbline/material/material.hpp"
+#include "lib/core/roots.hpp"
+#include "lib/material/material.hpp"
 
 /// Algebra of 3 x 3 tensors for any scalar type.
 namespace plumb {

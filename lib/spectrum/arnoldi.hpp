@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "plumbline/spectrum/eigen_pairs.hpp"
+#include "lib/spectrum/eigen_pairs.hpp"
 
 namespace plumb {
 

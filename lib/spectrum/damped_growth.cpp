@@ -1,10 +1,10 @@
-#include "plumbline/spectrum/damped_growth.hpp"
+#include "lib/spectrum/damped_growth.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
 
-#include "plumbline/spectrum/arnoldi.hpp"
+#include "lib/spectrum/arnoldi.hpp"
 
 namespace plumb {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/spectrum/linear_operator.hpp"
+#include "lib/spectrum/linear_operator.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/spectrum/eigen_pairs.hpp"
+#include "lib/spectrum/eigen_pairs.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

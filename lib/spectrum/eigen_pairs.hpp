@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "plumbline/solid/linearise.hpp"
+#include "lib/schemes/tlsph/loops/linearise.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/spectrum/krylov.hpp"
+#include "lib/spectrum/krylov.hpp"
 
 #include <Spectra/GenEigsRealShiftSolver.h>
 #include <Spectra/GenEigsSolver.h>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "plumbline/spectrum/arnoldi.hpp"
+#include "lib/spectrum/arnoldi.hpp"
 
 namespace plumb {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/spectrum/eigen_pairs.hpp"
+#include "lib/spectrum/eigen_pairs.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/spectrum/lattice_symbol.hpp"
+#include "lib/spectrum/lattice_symbol.hpp"
 
 #include <cmath>
 

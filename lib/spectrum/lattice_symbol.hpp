@@ -1,6 +1,6 @@
 #pragma once
-#include "plumbline/gradient/bond_table.hpp"
-#include "plumbline/material/material.hpp"
+#include "lib/material/material.hpp"
+#include "lib/schemes/tlsph/bonds/bond_table.hpp"
 
 namespace plumb {
 

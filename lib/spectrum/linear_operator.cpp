@@ -1,13 +1,13 @@
-#include "plumbline/spectrum/linear_operator.hpp"
+#include "lib/spectrum/linear_operator.hpp"
 
 #include <Eigen/SVD>
 #include <cmath>
 #include <set>
 
-#include "plumbline/geometry/rigid_motions.hpp"
-#include "plumbline/material/models/linear_elastic.hpp"
-#include "plumbline/solid/evaluate.hpp"
-#include "plumbline/solid/make_sweeps.hpp"
+#include "lib/geometry/rigid_motions.hpp"
+#include "lib/material/models/linear_elastic.hpp"
+#include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/loops/make_sweeps.hpp"
 
 namespace plumb {
 namespace {

@@ -2,8 +2,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/solid/linearise.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/loops/linearise.hpp"
 
 namespace plumb {
 

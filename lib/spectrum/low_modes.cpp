@@ -1,4 +1,4 @@
-#include "plumbline/spectrum/low_modes.hpp"
+#include "lib/spectrum/low_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "plumbline/diagnostics/measures.hpp"
+#include "lib/measures/measures.hpp"
 
 namespace plumb {
 namespace {

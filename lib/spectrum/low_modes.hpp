@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "plumbline/spectrum/eigen_pairs.hpp"
-#include "plumbline/spectrum/linear_operator.hpp"
+#include "lib/spectrum/eigen_pairs.hpp"
+#include "lib/spectrum/linear_operator.hpp"
 
 namespace plumb {
 

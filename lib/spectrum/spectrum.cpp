@@ -1,4 +1,4 @@
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -6,8 +6,8 @@
 #include <complex>
 #include <limits>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/spectrum/krylov.hpp"
+#include "lib/core/error.hpp"
+#include "lib/spectrum/krylov.hpp"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/spectrum/damped_growth.hpp"
-#include "plumbline/spectrum/low_modes.hpp"
+#include "lib/spectrum/damped_growth.hpp"
+#include "lib/spectrum/low_modes.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/stability/edge.hpp"
+#include "lib/stability/edge.hpp"
 
 #include <cmath>
 #include <limits>

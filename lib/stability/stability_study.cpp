@@ -1,12 +1,12 @@
-#include "plumbline/stability/stability_study.hpp"
+#include "lib/stability/stability_study.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <filesystem>
 
-#include "plumbline/input/section.hpp"
-#include "plumbline/scene/read_scene.hpp"
+#include "lib/input/section.hpp"
+#include "lib/scene/read_scene.hpp"
 
 namespace plumb {
 namespace {
@@ -77,7 +77,7 @@ void require_scenes(const StabilityStudy& study) {
   for (const auto& variant : study.variants)
     for (const auto& value : study.values)
       for (const double at : {study.from, study.to})
-        scene_of(study, overrides_of(study, variant, value, at), at);
+        varied_scene(study, overrides_of(study, variant, value, at), at);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::vector<std::string> overrides_of(const StabilityStudy& study, const Variant
   return all;
 }
 
-Scene scene_of(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
+Scene varied_scene(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
   Scene scene = parse_scene(study.scene, study.file, overrides);
   if (study.parameter != EdgeParameter::twist) return scene;
   if (!scene.initial || scene.initial->velocity.empty())

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/stability/trial.hpp"
+#include "lib/stability/trial.hpp"
 
 namespace plumb {
 

@@ -1,12 +1,12 @@
-#include "plumbline/stability/trial.hpp"
+#include "lib/stability/trial.hpp"
 
 #include <algorithm>
 #include <ctime>
 #include <numeric>
 
-#include "plumbline/core/sentences.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/core/sentences.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

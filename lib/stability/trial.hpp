@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/run/run.hpp"
-#include "plumbline/scene/scene.hpp"
+#include "lib/run/run.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace plumb {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "lib/material/laws.hpp"
 #include "mms/c/guard.hpp"
 #include "mms/manufactured.hpp"
-#include "plumbline/material/laws.hpp"
 
 namespace plumb::c {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::c {
 namespace {

@@ -4,14 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "lib/convergence/least_squares.hpp"
+#include "lib/convergence/richardson.hpp"
+#include "lib/convergence/verdict.hpp"
+#include "lib/convergence/words.hpp"
+#include "lib/core/error.hpp"
 #include "mms/c/chosen.hpp"
 #include "mms/c/guard.hpp"
 #include "mms/c/values.hpp"
-#include "plumbline/convergence/least_squares.hpp"
-#include "plumbline/convergence/richardson.hpp"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/convergence/words.hpp"
-#include "plumbline/core/error.hpp"
 
 namespace plumb::c {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/core/error.hpp"
 #include "mms/c/chosen.hpp"
 #include "mms/c/guard.hpp"
 #include "mms/c/values.hpp"
-#include "plumbline/core/error.hpp"
 
 namespace plumb::c {
 namespace {

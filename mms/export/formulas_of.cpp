@@ -1,8 +1,8 @@
 #include "mms/export/formulas_of.hpp"
 
+#include "lib/material/laws.hpp"
 #include "mms/catalogue.hpp"
 #include "mms/manufactured.hpp"
-#include "plumbline/material/laws.hpp"
 
 namespace plumb::mms {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/material/law.hpp"
 #include "mms/export/formula.hpp"
-#include "plumbline/material/law.hpp"
 
 namespace plumb::mms {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "lib/core/error.hpp"
 #include "mms/export/formulas_of.hpp"
-#include "plumbline/core/error.hpp"
 
 namespace plumb::mms {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/material/law.hpp"
+#include "lib/material/law.hpp"
 
 namespace plumb::mms {
 

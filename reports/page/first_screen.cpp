@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/norm_units.hpp"
+#include "lib/convergence/words.hpp"
 #include "reports/page/parts.hpp"
 #include "reports/plot/svg_text.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "plumbline/output/progress.hpp"
+#include "lib/output/progress.hpp"
 #include "reports/assets.hpp"
 #include "reports/page/parts.hpp"
 #include "reports/plot/svg_text.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::reports::plot {
 namespace {

@@ -14,7 +14,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::reports::plot {
 namespace {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/json.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/json.hpp"
 
 namespace plumb::reports::run {
 namespace {

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::reports::run {
 namespace {

@@ -7,10 +7,10 @@
 #include <sstream>
 #include <system_error>
 
-#include "plumbline/core/sentences.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/json.hpp"
-#include "plumbline/output/sitting.hpp"
+#include "lib/core/sentences.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/json.hpp"
+#include "lib/output/sitting.hpp"
 #include "reports/run/process.hpp"
 
 namespace plumb::reports::run {

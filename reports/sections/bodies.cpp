@@ -42,7 +42,7 @@ const std::vector<double>& column(const std::map<std::string, std::vector<double
 }
 
 /// Colours from 0 to a round value that all but one in fifty of the numbers stay below.
-Quantity stress_of(const std::vector<BodyState>& states) {
+ColourScale stress_of(const std::vector<BodyState>& states) {
   std::vector<double> all;
   for (const auto& state : states) all.insert(all.end(), state.value.begin(), state.value.end());
   std::erase_if(all, [](double value) { return !std::isfinite(value); });
@@ -62,7 +62,7 @@ Figure snapshot(const Results& results, const DrawnBody& body, double time) {
   const std::vector<BodyState> states =
       body.moves ? read_states(results.job(body.id).folder, field)
                  : std::vector<BodyState>{last_state(results.csv(body.id, "last.csv"), time, field)};
-  const Quantity quantity = stress_of(states);
+  const ColourScale quantity = stress_of(states);
   const auto drawn = [&](const BodyState& state) {
     return body_picture(body.name, state, body.view, quantity, body.spacing, states);
   };

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "plumbline/gradient/correction.hpp"
-#include "plumbline/gradient/estimator.hpp"
+#include "plumbline/kernel/correction.hpp"
+#include "plumbline/schemes/tlsph/bonds/estimator.hpp"
 
 int main() {
   const double spacing = 0.2;
@@ -13,7 +13,7 @@ int main() {
     for (int b = 0; b < 2; ++b) corner.push_back({{a * spacing, b * spacing}, spacing * spacing});
 
   const auto kernel = plumb::kernel_named<2>("cubic");
-  const auto corrected = plumb::correct<2>(plumb::Pair::W1, kernel, 0.9 * spacing, corner);
+  const auto corrected = plumb::correct<2>(plumb::Correction::W1, kernel, 0.9 * spacing, corner);
   const auto table = plumb::estimator_named<2>("improved")(corner, corrected);
   plumb::Mat<2> gradient = plumb::Mat<2>::Zero();  // of the map x = X: the identity
   for (std::size_t j = 0; j < corner.size(); ++j) gradient += corner[j].separation * table[j].transpose();

@@ -6,7 +6,7 @@
 
 #include "plumbline/scene/read_scene.hpp"
 #include "plumbline/scene/tlsph.hpp"
-#include "plumbline/solid/make_sweeps.hpp"
+#include "plumbline/schemes/tlsph/loops/make_sweeps.hpp"
 
 struct LinearElasticity {  // W = lambda/2 (tr e)^2 + mu e:e,  P = dW/dF = lambda tr e I + 2 mu e,  e = (F +
                            // F^T)/2 - I

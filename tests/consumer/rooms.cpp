@@ -4,7 +4,7 @@
 
 #include "mms/manufactured.hpp"
 #include "oned/field.hpp"
-#include "plumbline/gradient/estimator.hpp"
+#include "plumbline/schemes/tlsph/bonds/estimator.hpp"
 #include "reports/picture.hpp"
 
 int main() {

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/number_table.hpp"
-#include "plumbline/input/point_file.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/number_table.hpp"
+#include "lib/input/point_file.hpp"
 
 /// What may be fed with any bytes: each function reads them as the program would. InputError is the one right
 /// answer to bytes that cannot be used; anything else that is thrown, and anything accepted that breaks its

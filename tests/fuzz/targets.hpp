@@ -2,12 +2,12 @@
 #include <cmath>
 #include <string>
 
+#include "lib/input/expression.hpp"
+#include "lib/output/sealed.hpp"
+#include "lib/run/checkpoint.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/study.hpp"
 #include "oned/field.hpp"
-#include "plumbline/input/expression.hpp"
-#include "plumbline/output/sealed.hpp"
-#include "plumbline/run/checkpoint.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/study.hpp"
 #include "tests/fuzz/points.hpp"
 
 namespace plumb::fuzz {
@@ -99,7 +99,7 @@ inline void expression(const std::string& bytes) {
 }
 
 inline void field(const std::string& bytes) {
-  const oned::Field f = oned::parse_field(bytes);
+  const oned::TestField f = oned::parse_field(bytes);
   for (const double number : oned::values(f, {Vec<1>(0.7)})) promise(std::isfinite(number), "value");
   for (const double number : oned::derivatives(f, {Vec<1>(0.7)})) promise(std::isfinite(number), "slope");
 }

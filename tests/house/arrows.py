@@ -7,36 +7,33 @@ import pathlib
 import re
 import sys
 
-PARTS = ("mms", "oned", "reports")
+PARTS = ("mms", "oned", "reports", "verification")
 
 
-def room_of(path):
-    """The room of a file of the tree; None outside of the rooms."""
-    top = path.parts[0]
-    if top == "lib":
-        return path.parts[1] if len(path.parts) > 2 else None
-    return top if top in (*PARTS, "verification") else None
+def room_of(path, rooms):
+    """The room of a path in the tree, the deepest one of the list that holds it; a folder that no line names is a room of its own.
+    None outside of the rooms."""
+    folder = path.parts[:-1]
+    if not folder or folder[0] in PARTS:
+        return folder[0] if folder else None
+    if folder[0] != "lib" or len(folder) < 2:
+        return None
+    names = ["/".join(folder[1:n]) for n in range(len(folder), 1, -1)]
+    if names[-1] == "schemes" and len(folder) > 2 and not any(n in rooms for n in names[:-1]):
+        return names[-2]  # every scheme is a room
+    return next((n for n in names if n in rooms), names[-1])
 
 
-def room_included(words):
-    """The room of a path in an #include; None for a header of another project or of the own room."""
-    if words[0] == "plumbline" and len(words) > 2:
-        return words[1]
-    if words[0] in PARTS and len(words) > 1:
-        return words[0]
-    return "verification" if words[0] == "plumb" else None
-
-
-def arrows_of(source):
+def arrows_of(source, rooms):
     """{(room, included room): a file that does it} over the whole tree."""
     found = {}
     for path in sorted(source.glob("*/**/*.[ch]pp")):
         inside = path.relative_to(source)
-        room = room_of(inside)
+        room = room_of(inside, rooms)
         if room is None:
             continue
         for words in re.findall(r'^#include "([^"]+)"', path.read_text(), re.MULTILINE):
-            other = room_included(words.split("/"))
+            other = room_of(pathlib.PurePath(words), rooms)
             if other and other != room:
                 found.setdefault((room, other), inside)
     return found
@@ -58,7 +55,7 @@ def allowed_by(text):
 def main():
     source = pathlib.Path(sys.argv[1])
     allowed, rooms = allowed_by((source / "lib/theory/decisions.md").read_text())
-    found = arrows_of(source)
+    found = arrows_of(source, rooms)
     wrong = [f"{file}: {a} may not include {b}" for (a, b), file in found.items() if (a, b) not in allowed]
     wrong += [f"{a}: {b} is allowed, but nothing includes it" for a, b in sorted(allowed - set(found))]
     wrong += [f"{a}: {b} stands below it in the list: a room may include rooms above it only" for a, b in sorted(allowed)

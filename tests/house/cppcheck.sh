@@ -5,7 +5,7 @@
 #   danglingTempReference: it takes the reference that add_command returns for one to add_command's temporary arguments
 #   assignBoolToPointer: it reads `is_same_v<T, double> ? "a" : "b"` as a comparison
 #   unknownMacro: macros of test frameworks
-# Suppressed at single lines: containerOutOfBounds in lib/geometry/simplex.hpp (a branch where d is 3), uninitMemberVar in lib/solid/state.hpp (the
+# Suppressed at single lines: containerOutOfBounds in lib/geometry/simplex.hpp (a branch where d is 3), uninitMemberVar in lib/schemes/tlsph/loops/state.hpp (the
 # force sweep sets every slot of the block).
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 exec cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr --std=c++20 \

@@ -14,7 +14,7 @@ if [ "$what" = order ]; then
     code=${header%.hpp}.cpp
     [ -f "$code" ] || continue
     first=$(grep -m1 '^#include' "$code" | sed 's/.*["<]\(.*\)[">].*/\1/')
-    [ "$first" = "$header" ] || [ "$first" = "plumbline/${header#lib/}" ] || { echo "$code includes $first before its own header"; bad=1; }
+    [ "$first" = "$header" ] || { echo "$code includes $first before its own header"; bad=1; }
     seen=$((seen + 1))
   done
   [ "$seen" -ge 50 ] || { echo "found $seen pairs only"; exit 1; }
@@ -25,8 +25,7 @@ fi
 build=$3 compiler=$4
 alone() {
   header=$1
-  [[ $header == lib/* ]] && header=plumbline/${header#lib/}
-  echo "#include \"$header\"" | "$compiler" -std=c++20 -Wall -Wextra -Werror -Wno-psabi -fopenmp -fsyntax-only -I"$build/include" \
+  echo "#include \"$header\"" | "$compiler" -std=c++20 -Wall -Wextra -Werror -Wno-psabi -fopenmp -fsyntax-only \
     -I"$build/generated" -I"$source" -isystem /usr/include/eigen3 -x c++ - || { echo "does not compile alone: $header"; exit 255; }
 }
 export -f alone

@@ -18,7 +18,7 @@ awk -v tree="$tree" '
   /^```/ { file = "" }
   file != "" { print > file }' "$tree/CONTRIBUTING.md"
 for file in lib/kernel/kernels/lucy.hpp lib/material/models/yeoh.hpp \
-  lib/gradient/estimators/least_squares.hpp lib/dissipation/drag.hpp lib/dissipation/drag.cpp changes.diff \
+  lib/schemes/tlsph/bonds/estimators/least_squares.hpp lib/schemes/tlsph/parts/drag.hpp lib/schemes/tlsph/parts/drag.cpp changes.diff \
   verification/scenes/stretched-bar.toml; do
   [ -s "$tree/$file" ] || { echo "CONTRIBUTING.md does not show $file"; exit 1; }
 done

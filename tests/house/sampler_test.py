@@ -177,10 +177,10 @@ class Bookkeeping(unittest.TestCase):
         self.assertIsNone(score.wilson(0, 0))
 
     def test_counts(self):
-        rows = [{"file": "lib/time/a.cpp", "state": s} for s in ("killed", "killed", "alive", "equivalent", "not compiled")]
+        rows = [{"file": "lib/schemes/tlsph/time/a.cpp", "state": s} for s in ("killed", "killed", "alive", "equivalent", "not compiled")]
         rows.append({"file": "mms/b.cpp", "state": "killed"})
         found = score.score(rows, {"seed": 1})
-        self.assertEqual([f["folder"] for f in found["folders"]], ["lib/time", "mms"])
+        self.assertEqual([f["folder"] for f in found["folders"]], ["lib/schemes/tlsph/time", "mms"])
         self.assertEqual({k: found["folders"][0][k] for k in ("sampled", "killed", "alive", "equivalent", "not_compiled", "share")},
                          {"sampled": 5, "killed": 2, "alive": 1, "equivalent": 1, "not_compiled": 1, "share": 0.6667})
         self.assertEqual(found["all"]["killed"], 3)

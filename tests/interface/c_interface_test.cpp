@@ -6,10 +6,10 @@
 #include <random>
 #include <thread>
 
+#include "lib/convergence/verdict.hpp"
+#include "lib/material/laws.hpp"
 #include "mms/exact_fields.hpp"
 #include "plumbline.h"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/material/laws.hpp"
 
 namespace plumb {
 namespace {

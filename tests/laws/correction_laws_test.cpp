@@ -2,7 +2,7 @@
 // for every kernel of the catalogue in 1D, 2D and 3D; corners included. THEORY (2.1).
 #include <gtest/gtest.h>
 
-#include "plumbline/gradient/correction.hpp"
+#include "lib/kernel/correction.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/typed.hpp"
 
@@ -36,15 +36,15 @@ constexpr double tolerance =
 
 /// The conditions that the pair promises, at the particle X_i.
 template <int d>
-void expect_conditions(Pair pair, const CorrectedKernel<d>& k, const std::vector<Neighbour<d>>& neighbours,
-                       double h) {
+void expect_conditions(Correction pair, const CorrectedKernel<d>& k,
+                       const std::vector<Neighbour<d>>& neighbours, double h) {
   const Sums<d> s = sums(k, neighbours, h);
   EXPECT_NEAR(s.weight, 1, tolerance) << "(5a)";
   EXPECT_LT(s.gradient.norm(), tolerance) << "(9a)";
-  if (pair == Pair::W1) {
+  if (pair == Correction::W1) {
     EXPECT_LT(s.first.norm(), tolerance) << "(5b)";
   }
-  if (pair != Pair::W0raw) {
+  if (pair != Correction::W0raw) {
     EXPECT_LT((s.gradient_first - Mat<d>::Identity()).norm(), tolerance) << "(9b)";
   }
 }
@@ -62,7 +62,7 @@ TYPED_TEST(CorrectionLaws, ReproduceConstantAndLinearFieldsAtEveryParticle) {
       const double h = reach * cloud.spacing / K::support;
       for (Index i = 0; i < cloud.size(); ++i) {
         const auto neighbours = test::neighbours_of<d>(cloud, cloud.X[i], reach * cloud.spacing);
-        for (const Pair pair : {Pair::W0raw, Pair::W0, Pair::W1}) {
+        for (const Correction pair : {Correction::W0raw, Correction::W0, Correction::W1}) {
           SCOPED_TRACE(name + ", " + std::string(name_of(pair)) + ", particle " + std::to_string(i));
           expect_conditions<d>(pair, correct<d>(pair, kernel, h, neighbours), neighbours, h);
           if (::testing::Test::HasFailure()) return;  // one particle is enough to read
@@ -74,8 +74,8 @@ TYPED_TEST(CorrectionLaws, ReproduceConstantAndLinearFieldsAtEveryParticle) {
 /// The largest difference between the gradient and a fourth-order difference of the weights, both times h,
 /// when the evaluation point moves.
 template <int d>
-double gradient_error(Pair pair, const RadialKernel<d>& kernel, const Cloud<d>& cloud, const Vec<d>& point,
-                      double h, double step) {
+double gradient_error(Correction pair, const RadialKernel<d>& kernel, const Cloud<d>& cloud,
+                      const Vec<d>& point, double h, double step) {
   const double R = kernel.support * h;
   std::vector<Neighbour<d>> all;  // R + 2 step: nothing leaves the list while the point moves
   all = test::neighbours_of<d>(cloud, point, R + 3 * step);
@@ -122,7 +122,7 @@ TYPED_TEST(CorrectionLaws, GradientIsTheDerivativeWithRespectToTheEvaluationPoin
     const Vec<d> point = cloud.box.origin + unit.cwiseProduct(cloud.box.size);
     if (!away_from_knots<d>(cloud, point, h, step)) continue;
     ++checked;
-    for (const Pair pair : {Pair::none, Pair::W0raw, Pair::W1})
+    for (const Correction pair : {Correction::none, Correction::W0raw, Correction::W1})
       // step^4 times a fifth derivative of some thousand at points near corners, and round-off 1e-15/step
       EXPECT_LT(gradient_error<d>(pair, kernel, cloud, point, h, step), 2e-8)
           << name_of(pair) << " at " << point;
@@ -141,7 +141,7 @@ TYPED_TEST(CorrectionLaws, DoNotDependOnTheUnitOfLength) {
     for (const double scale : {1e-6, 1e6}) {
       auto scaled = metres;
       for (auto& n : scaled) n = {n.separation * scale, n.volume * std::pow(scale, d)};
-      for (const Pair pair : {Pair::none, Pair::W0raw, Pair::W0, Pair::W1}) {
+      for (const Correction pair : {Correction::none, Correction::W0raw, Correction::W0, Correction::W1}) {
         const auto a = correct<d>(pair, kernel, h, metres);
         const auto b = correct<d>(pair, kernel, h * scale, scaled);
         for (std::size_t j = 0; j < metres.size(); ++j) {

@@ -2,7 +2,7 @@
 // particle of every cloud, unless it declares that it does not. THEORY chapter 3.
 #include <gtest/gtest.h>
 
-#include "plumbline/gradient/estimator.hpp"
+#include "lib/schemes/tlsph/bonds/estimator.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/typed.hpp"
 
@@ -30,7 +30,7 @@ TYPED_TEST(EstimatorLaws, AffineMapsAreExactOrTheTypeSaysNo) {
   for (const auto& [name, cloud] : test::all_clouds<d>())
     for (const auto kernel : {kernel_named<d>("cubic"), kernel_named<d>("wendland-c2")})
       for (const double beta : {0.9, 1.5})
-        for (const Pair pair : {Pair::W0, Pair::W1})
+        for (const Correction pair : {Correction::W0, Correction::W1})
           for (Index i = 0; i < cloud.size(); ++i) {
             const double h = beta * cloud.spacing;
             const auto neighbours = test::neighbours_of<d>(cloud, cloud.X[i], kernel.support * h);
@@ -52,7 +52,7 @@ TYPED_TEST(EstimatorLaws, OwnEntryIsZero) {
   const Cloud<d> cloud = test::small_lattice<d>(Layout::node);
   const auto kernel = kernel_named<d>("cubic");
   const auto neighbours = test::neighbours_of<d>(cloud, cloud.X[0], 0.36);
-  const auto c = E::template stencil<d>(neighbours, correct<d>(Pair::W1, kernel, 0.18, neighbours));
+  const auto c = E::template stencil<d>(neighbours, correct<d>(Correction::W1, kernel, 0.18, neighbours));
   ASSERT_EQ(c.size(), neighbours.size());
   for (std::size_t j = 0; j < c.size(); ++j)
     if (neighbours[j].separation.norm() == 0) {

@@ -1,6 +1,6 @@
 // Every integrator of the catalogue has the order in time that it claims, on a deforming body under a load
 // that varies in time.
-#include "plumbline/time/integrator.hpp"
+#include "lib/schemes/tlsph/time/integrator.hpp"
 
 #include <gtest/gtest.h>
 

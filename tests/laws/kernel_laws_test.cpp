@@ -4,7 +4,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <numbers>
 
-#include "plumbline/kernel/kernel.hpp"
+#include "lib/kernel/kernel.hpp"
 #include "tests/support/typed.hpp"
 
 namespace plumb {

@@ -8,10 +8,10 @@
 #include <complex>
 #include <random>
 
+#include "lib/core/pack.hpp"
+#include "lib/material/laws.hpp"
+#include "lib/material/tangent.hpp"
 #include "mms/ad/jet.hpp"
-#include "plumbline/core/pack.hpp"
-#include "plumbline/material/laws.hpp"
-#include "plumbline/material/tangent.hpp"
 
 namespace plumb {
 namespace {
@@ -129,7 +129,7 @@ TYPED_TEST(MaterialLaws,
       Mat<d, Jet> Fj;
       for (int k = 0; k < d * d; ++k) Fj(k / d, k % d) = Jet::variable(F(k / d, k % d), k);
       const Jet W = this->material.energy(Fj);
-      const Mat<d * d> A = tangent_of<d>(this->material, F);
+      const Mat<d* d> A = tangent_of<d>(this->material, F);
       for (int a = 0; a < d * d; ++a)
         for (int b = 0; b < d * d; ++b)
           EXPECT_NEAR(A(a, b), W.second(a, b), 1e-13 * (A.norm() + 17e6)) << a << ' ' << b;

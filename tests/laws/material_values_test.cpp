@@ -7,7 +7,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-#include "plumbline/material/laws.hpp"
+#include "lib/material/laws.hpp"
 #include "tests/support/clouds.hpp"
 
 namespace plumb {

@@ -1,12 +1,12 @@
 // Every momentum form of the catalogue: forces of a pair are opposite (linear momentum), and what is known of
 // their torque.
-#include "plumbline/momentum/momentum_form.hpp"
+#include "lib/schemes/tlsph/bonds/momentum_form.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "plumbline/diagnostics/measures.hpp"
+#include "lib/measures/measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/solids.hpp"
 #include "tests/support/typed.hpp"

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/solid/evaluate.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/loops/evaluate.hpp"
 
 namespace plumb::mms {
 namespace {

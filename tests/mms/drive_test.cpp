@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/scene/tlsph.hpp"
 #include "mms/norms.hpp"
-#include "plumbline/scene/tlsph.hpp"
 
 namespace plumb::mms {
 namespace {

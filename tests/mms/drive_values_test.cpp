@@ -3,9 +3,9 @@
 // motion is prescribed.
 #include <gtest/gtest.h>
 
+#include "lib/measures/measures.hpp"
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
-#include "plumbline/diagnostics/measures.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::mms {

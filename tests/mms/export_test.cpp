@@ -8,10 +8,10 @@
 #include <random>
 #include <sstream>
 
+#include "lib/material/laws.hpp"
 #include "mms/exact_fields.hpp"
 #include "mms/export/formulas_of.hpp"
 #include "mms/export/source_text.hpp"
-#include "plumbline/material/laws.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb::mms {

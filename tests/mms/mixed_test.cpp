@@ -1,8 +1,8 @@
 // Orders of the scheme of paper 003 on the swinging plate with its load of finite strain.
 #include <gtest/gtest.h>
 
+#include "lib/convergence/order_fit.hpp"
 #include "mms/drive.hpp"
-#include "plumbline/convergence/order_fit.hpp"
 #include "tests/support/mixed.hpp"
 #include "tests/support/solids.hpp"
 

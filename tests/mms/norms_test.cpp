@@ -33,7 +33,7 @@ const ExactField<2> nothing = [](const Vec<2>&) { return PointValue<2>{}; };
 // * 2. W1 interpolates linear fields exactly and Gauss points integrate squares exactly: round-off is left.
 TEST(GaussNorms, OfALinearFieldAreItsIntegrals) {
   const Cloud<2> cloud = plate(Layout::node);
-  const Interpolation<2> how{kernel_named<2>("cubic"), 0.09, Pair::W1};
+  const Interpolation<2> how{kernel_named<2>("cubic"), 0.09, Correction::W1};
   const ErrorNorms norms = gauss_norms<2>(cloud, sampled(cloud), nothing, how);
   EXPECT_NEAR(norms.l2, std::sqrt(28.0), 1e-12);
   EXPECT_NEAR(norms.h1, std::sqrt(30.0), 1e-11);
@@ -54,7 +54,7 @@ TEST(GaussNorms, OfALinearFieldAreItsIntegrals) {
 // W0 interpolates constants only, but its corrected gradient is exact for linear fields.
 TEST(GaussNorms, UseTheSchemesOwnPair) {
   const Cloud<2> cloud = plate(Layout::node);
-  const Interpolation<2> how{kernel_named<2>("cubic"), 0.09, Pair::W0};
+  const Interpolation<2> how{kernel_named<2>("cubic"), 0.09, Correction::W0};
   const ErrorNorms error = gauss_norms<2>(cloud, sampled(cloud), linear, how);
   EXPECT_GT(error.l2, 1e-3);
   EXPECT_LT(error.h1, 1e-11);
@@ -63,7 +63,7 @@ TEST(GaussNorms, UseTheSchemesOwnPair) {
 // beta = 0.6, cell layout: the Gauss point nearest to the corner sees one particle.
 TEST(GaussNorms, AreRefusedWhereInterpolationIsSingular) {
   const Cloud<2> cloud = plate(Layout::cell);
-  const Interpolation<2> how{kernel_named<2>("cubic"), 0.06, Pair::W1};
+  const Interpolation<2> how{kernel_named<2>("cubic"), 0.06, Correction::W1};
   try {
     gauss_norms<2>(cloud, sampled(cloud), linear, how);
     FAIL() << "no error";

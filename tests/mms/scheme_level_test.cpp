@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "plumbline/material/models/neo_hookean.hpp"
-#include "plumbline/output/sitting.hpp"
-#include "plumbline/scene/study.hpp"
+#include "lib/material/models/neo_hookean.hpp"
+#include "lib/output/sitting.hpp"
+#include "lib/scene/study.hpp"
 
 namespace plumb::mms {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include "lib/core/error.hpp"
 #include "oned/gradient.hpp"
-#include "plumbline/core/error.hpp"
 
 namespace {
 

@@ -85,19 +85,19 @@ TEST(Derivation, KernelsAndGradientsAtAnyPoint) {
 
 /// (33), (34)+(35), (34)+(36) in long double for one pair.
 std::map<std::string, Real> estimates(const second::Cloud<Real>& cloud, std::size_t i,
-                                      const std::vector<Real>& x, const Case& k, Real h, Pair pair) {
+                                      const std::vector<Real>& x, const Case& k, Real h, Correction pair) {
   auto w = second::weights<Real>(cloud, cloud.X[i], k.second, h,
-                                 pair == Pair::none ? -1
-                                 : pair == Pair::W1 ? 1
-                                                    : 0);
-  if (pair == Pair::W0) second::normalise(w, cloud, cloud.X[i]);
+                                 pair == Correction::none ? -1
+                                 : pair == Correction::W1 ? 1
+                                                          : 0);
+  if (pair == Correction::W0) second::normalise(w, cloud, cloud.X[i]);
   return {{"standard", second::standard(w, x)},
           {"bond", second::bond(w, cloud, i, x)},
           {"improved", second::improved(w, cloud, i, x)}};
 }
 
 TEST(Derivation, EstimatesByThePrintedSums) {
-  const Field field = parse_field("tanh:2,0.7");
+  const TestField field = parse_field("tanh:2,0.7");
   for (const auto& k : kernels)
     for (Discretisation d : clouds()) {
       d.kernel = k.kernel;
@@ -106,7 +106,7 @@ TEST(Derivation, EstimatesByThePrintedSums) {
       const auto x = values(field, cloud.X);
       const std::vector<Real> long_x(x.begin(), x.end());
       const Real h = static_cast<Real>(d.support()) / k.support;
-      for (const Pair pair : {Pair::none, Pair::W0raw, Pair::W0, Pair::W1})
+      for (const Correction pair : {Correction::none, Correction::W0raw, Correction::W0, Correction::W1})
         for (const char* estimator : {"standard", "bond", "improved"}) {
           const auto F = estimate(cloud, kernel_named<1>(k.kernel), d.support(), {estimator, pair}, x);
           for (std::size_t i = 0; i < F.size(); ++i) {
@@ -127,8 +127,9 @@ TEST(Derivation, DifferenceFormWithoutCorrection) {
   const Cloud<1> cloud = make_cloud(d);
   const std::vector<double> constant(cloud.X.size(), 3.0);
   const auto kernel = kernel_named<1>("cubic");
-  const auto difference = estimate(cloud, kernel, 1.0, {"standard", Pair::none, Form::difference}, constant);
-  const auto printed = estimate(cloud, kernel, 1.0, {"standard", Pair::none, Form::printed}, constant);
+  const auto difference =
+      estimate(cloud, kernel, 1.0, {"standard", Correction::none, Form::difference}, constant);
+  const auto printed = estimate(cloud, kernel, 1.0, {"standard", Correction::none, Form::printed}, constant);
   EXPECT_EQ(difference.front(), 0);
   // half the kernel is missing at the first particle: the printed sum sees a slope of 3 times sum V grad W
   const auto w = second::weights<Real>(copy_of(cloud), cloud.X[0][0], second::Kernel::cubic, 0.5L, -1);
@@ -140,24 +141,24 @@ TEST(Derivation, DifferenceFormWithoutCorrection) {
 
 TEST(Derivation, DifferenceFormKeepsItsDigitsUnderALargeOffset) {
   Discretisation d;  // dx = 1/8: all positions and values are exact
-  const auto rows =
-      gradient_rows(d, {parse_field("poly:1e8,1")}, {{"standard", Pair::W1}, {"improved", Pair::W1}});
+  const auto rows = gradient_rows(d, {parse_field("poly:1e8,1")},
+                                  {{"standard", Correction::W1}, {"improved", Correction::W1}});
   for (const auto& row : rows) EXPECT_NEAR(row.value, 1, 1e-14);  // the printed sum keeps seven digits
 }
 
 TEST(Derivation, SupportMuchLargerThanTheBodyLosesNoDigits) {
   Discretisation d;
   d.radius = {5e8, true};
-  const auto rows =
-      gradient_rows(d, {parse_field("poly:1,1")}, {{"standard", Pair::W1}, {"improved", Pair::W1}});
+  const auto rows = gradient_rows(d, {parse_field("poly:1,1")},
+                                  {{"standard", Correction::W1}, {"improved", Correction::W1}});
   for (const auto& row : rows) EXPECT_NEAR(row.value, 1, 1e-12);
 }
 
 TEST(Derivation, SupportSlightlyLargerThanTheSpacing) {
   Discretisation d;
   d.radius.value = 1 + 1e-9;  // W of the neighbours is of size 1e-27: no absolute threshold may see that
-  const auto rows =
-      gradient_rows(d, {parse_field("poly:1,1")}, {{"standard", Pair::W1}, {"improved", Pair::W1}});
+  const auto rows = gradient_rows(d, {parse_field("poly:1,1")},
+                                  {{"standard", Correction::W1}, {"improved", Correction::W1}});
   for (const auto& row : rows)
     EXPECT_NEAR(row.value, 1, 1e-6);  // 1 + 1e-9 is known to 7 digits as a distance from 1
 }

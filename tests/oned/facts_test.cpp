@@ -25,7 +25,7 @@ Discretisation unit_lattice(double radius = 4) {
   return d;
 }
 
-std::vector<double> estimates(const std::string& field, const std::string& estimator, Pair pair,
+std::vector<double> estimates(const std::string& field, const std::string& estimator, Correction pair,
                               double radius = 4) {
   std::vector<double> values;
   for (const auto& row : gradient_rows(unit_lattice(radius), {parse_field(field)}, {{estimator, pair}}))
@@ -55,13 +55,13 @@ constexpr std::size_t middle = 8;
 TEST(Facts, BondOfALinearFieldInside) {
   const Exact exact;
   EXPECT_EQ(second::bond(exact.at(middle, 1), exact.cloud, middle, exact.linear), Rational(2, 3));
-  EXPECT_NEAR(estimates("poly:1,1", "bond", Pair::W1)[middle], 2.0 / 3, tolerance);
+  EXPECT_NEAR(estimates("poly:1,1", "bond", Correction::W1)[middle], 2.0 / 3, tolerance);
 }
 
 TEST(Facts, BondOfALinearFieldAtTheFirstParticle) {
   const Exact exact;
   EXPECT_EQ(second::bond(exact.at(0, 1), exact.cloud, 0, exact.linear), Rational(71, 583));
-  EXPECT_NEAR(estimates("poly:1,1", "bond", Pair::W1).front(), 71.0 / 583, tolerance);
+  EXPECT_NEAR(estimates("poly:1,1", "bond", Correction::W1).front(), 71.0 / 583, tolerance);
 }
 
 TEST(Facts, InteriorErrorOfACubicField) {
@@ -73,8 +73,8 @@ TEST(Facts, InteriorErrorOfACubicField) {
             Rational(8, 3));
   const double ours = 3 * 8.5 * 8.5;
   // values of X^3 reach 2197 inside the support: 2200 eps = 5e-13 per term
-  EXPECT_NEAR(estimates("poly:0,0,0,1", "standard", Pair::W1)[middle] - ours, 4, 4e-12);
-  EXPECT_NEAR(estimates("poly:0,0,0,1", "improved", Pair::W1)[middle] - ours, 8.0 / 3, 4e-12);
+  EXPECT_NEAR(estimates("poly:0,0,0,1", "standard", Correction::W1)[middle] - ours, 4, 4e-12);
+  EXPECT_NEAR(estimates("poly:0,0,0,1", "improved", Correction::W1)[middle] - ours, 8.0 / 3, 4e-12);
 }
 
 TEST(Facts, InteriorErrorRatioIsOneThirdPlusOwnWeight) {
@@ -87,14 +87,14 @@ TEST(Facts, InteriorErrorRatioIsOneThirdPlusOwnWeight) {
 Rational first_error(const Exact& exact, const Rational& estimate) {
   return Rational((estimate - 2 * exact.cloud.X[0]) / 2);
 }
-double our_first_error(const std::string& estimator, Pair pair) {
+double our_first_error(const std::string& estimator, Correction pair) {
   return (estimates("poly:0,0,1", estimator, pair).front() - 1) / 2;
 }
 
 TEST(Facts, FirstParticleStandardW1) {
   const Exact exact;
   EXPECT_EQ(first_error(exact, second::standard(exact.at(0, 1), exact.X2)), Rational(267780, 339889));
-  EXPECT_NEAR(our_first_error("standard", Pair::W1), 267780.0 / 339889, tolerance);
+  EXPECT_NEAR(our_first_error("standard", Correction::W1), 267780.0 / 339889, tolerance);
 }
 
 TEST(Facts, FirstParticleImprovedW1) {
@@ -103,20 +103,20 @@ TEST(Facts, FirstParticleImprovedW1) {
   const Rational expected = Rational(267780, 339889) * Rational(512, 583);
   EXPECT_EQ(first_error(exact, second::improved(exact.at(0, 1), exact.cloud, 0, exact.X2)), expected);
   EXPECT_NEAR(expected.convert_to<double>(), 0.691899, 5e-7);  // the six digits of method.md
-  EXPECT_NEAR(our_first_error("improved", Pair::W1), expected.convert_to<double>(), tolerance);
+  EXPECT_NEAR(our_first_error("improved", Correction::W1), expected.convert_to<double>(), tolerance);
 }
 
 TEST(Facts, FirstParticleStandardW0) {
   const Exact exact;
   EXPECT_EQ(first_error(exact, second::standard(exact.at(0, 0, true), exact.X2)), Rational(160, 151));
-  EXPECT_NEAR(our_first_error("standard", Pair::W0), 160.0 / 151, tolerance);
+  EXPECT_NEAR(our_first_error("standard", Correction::W0), 160.0 / 151, tolerance);
 }
 
 TEST(Facts, FirstParticleImprovedW0) {
   const Exact exact;
   EXPECT_EQ(first_error(exact, second::improved(exact.at(0, 0, true), exact.cloud, 0, exact.X2)),
             Rational(8291, 9664));
-  EXPECT_NEAR(our_first_error("improved", Pair::W0), 8291.0 / 9664, tolerance);
+  EXPECT_NEAR(our_first_error("improved", Correction::W0), 8291.0 / 9664, tolerance);
 }
 
 TEST(Facts, ImprovedErrorOfAQuadraticIsOwnWeightTimesStandardErrorOnAnyCloud) {
@@ -125,10 +125,10 @@ TEST(Facts, ImprovedErrorOfAQuadraticIsOwnWeightTimesStandardErrorOnAnyCloud) {
   d.jitter = 0.4;
   d.seed = 7;
   d.radius.value = 3.3;
-  const Field field = parse_field("poly:0,0,1");
+  const TestField field = parse_field("poly:0,0,1");
   const Cloud<1> cloud = make_cloud(d);
-  const auto standard = gradient_rows(d, {field}, {{"standard", Pair::W1}});
-  const auto improved = gradient_rows(d, {field}, {{"improved", Pair::W1}});
+  const auto standard = gradient_rows(d, {field}, {{"standard", Correction::W1}});
+  const auto improved = gradient_rows(d, {field}, {{"improved", Correction::W1}});
   for (std::size_t i = 0; i < standard.size(); ++i) {
     second::Cloud<long double> copy;
     for (const auto& X : cloud.X) copy.X.push_back(X[0]);
@@ -142,8 +142,8 @@ TEST(Facts, ImprovedErrorOfAQuadraticIsOwnWeightTimesStandardErrorOnAnyCloud) {
 
 TEST(Facts, WithRadius18StandardAndImprovedAreTheSameOperator) {
   for (const char* field : {"poly:0,0,1", "poly:0,0,0,1", "sin:1", "exp:0.3"}) {
-    const auto a = estimates(field, "standard", Pair::W1, 1.8),
-               b = estimates(field, "improved", Pair::W1, 1.8);
+    const auto a = estimates(field, "standard", Correction::W1, 1.8),
+               b = estimates(field, "improved", Correction::W1, 1.8);
     for (std::size_t i = 0; i < a.size(); ++i)
       EXPECT_NEAR(a[i], b[i], 1e-12 * 1000) << field << " " << i;  // values to 4096
     // inside it is the central difference
@@ -195,11 +195,11 @@ TEST(Facts, ResponseFormulas) {
   std::vector<double> thetas;
   for (int m = 1; m <= 64; ++m) thetas.push_back(3.14159265358979323846 * m / 64);
   const auto kernel = kernel_named<1>("cubic");
-  const auto standard = response(kernel, 4, {"standard", Pair::W1}, thetas);
-  const auto improved = response(kernel, 4, {"improved", Pair::W1}, thetas);
-  const auto bond = response(kernel, 4, {"bond", Pair::W1}, thetas);
-  const auto narrow = response(kernel, 1.8, {"standard", Pair::W1}, thetas);
-  const auto narrow_improved = response(kernel, 1.8, {"improved", Pair::W1}, thetas);
+  const auto standard = response(kernel, 4, {"standard", Correction::W1}, thetas);
+  const auto improved = response(kernel, 4, {"improved", Correction::W1}, thetas);
+  const auto bond = response(kernel, 4, {"bond", Correction::W1}, thetas);
+  const auto narrow = response(kernel, 1.8, {"standard", Correction::W1}, thetas);
+  const auto narrow_improved = response(kernel, 1.8, {"improved", Correction::W1}, thetas);
   for (std::size_t k = 0; k < thetas.size(); ++k) {
     const double theta = thetas[k], s = std::sin(theta), c = std::cos(theta);
     EXPECT_NEAR(standard[k], s * std::pow(std::cos(theta / 2), 4), tolerance);
@@ -214,16 +214,16 @@ TEST(Facts, ResponseIsTheEstimateOfASine) {
   // the definition, through the whole library: estimate sin(kX + phi) on a body and divide by cos(kX + phi)
   const double theta = 1.1;
   Discretisation d = unit_lattice(4);
-  const auto rows = gradient_rows(d, {parse_field("sin:1,1.1,0.3")}, {{"improved", Pair::W1}});
-  const double expected = response(kernel_named<1>("cubic"), 4, {"improved", Pair::W1}, {theta})[0];
+  const auto rows = gradient_rows(d, {parse_field("sin:1,1.1,0.3")}, {{"improved", Correction::W1}});
+  const double expected = response(kernel_named<1>("cubic"), 4, {"improved", Correction::W1}, {theta})[0];
   EXPECT_NEAR(rows[middle].value, expected * std::cos(1.1 * 8.5 + 0.3), tolerance);
 }
 
 TEST(Facts, NoEstimatorSeesTheAlternatingModeButTheImprovedOneSeesItsNeighbours) {
   const double near = 1e-2, theta = 3.14159265358979323846 - near;
   const auto kernel = kernel_named<1>("cubic");
-  const double s = response(kernel, 4, {"standard", Pair::W1}, {theta})[0];
-  const double t = response(kernel, 4, {"improved", Pair::W1}, {theta})[0];
+  const double s = response(kernel, 4, {"standard", Correction::W1}, {theta})[0];
+  const double t = response(kernel, 4, {"improved", Correction::W1}, {theta})[0];
   EXPECT_NEAR(s / std::pow(near, 5), 1.0 / 16,
               1e-5);                     // next term (pi - theta)^2 / 48; rounding 1e-17 / 1e-10
   EXPECT_NEAR(t / near, 1.0 / 3, 1e-4);  // next term of size (pi - theta)^2

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <complex>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace {
 
 using namespace plumb;
 using namespace plumb::oned;
 
-TEST(Field, ValuesByTheirFormulas) {
+TEST(TestField, ValuesByTheirFormulas) {
   EXPECT_DOUBLE_EQ(value(parse_field("poly:1,-2,0,3"), 1.5), 1 - 3 + 3 * 3.375);
   EXPECT_DOUBLE_EQ(value(parse_field("sin:5"), 0.3), std::sin(1.5));
   EXPECT_DOUBLE_EQ(value(parse_field("sin:2,5,0.1"), 0.3), 2 * std::sin(1.6));
@@ -30,9 +30,9 @@ std::complex<double> complex_value(const std::string& text, std::complex<double>
   return 1.0 / (1.0 + 25.0 * X * X);
 }
 
-TEST(Field, DerivativesByComplexStep) {
+TEST(TestField, DerivativesByComplexStep) {
   for (const std::string text : {"poly:1,-2,0,3", "sin:2,5,0.1", "exp:-2", "tanh:4,1", "runge"}) {
-    const Field field = parse_field(text);
+    const TestField field = parse_field(text);
     for (const double X : {0.0, 0.13, 0.9, 2.4}) {
       const double step = 1e-30;  // no difference is formed, so the step may be as small as one likes
       const double expected = complex_value(text, {X, step}).imag() / step;
@@ -41,7 +41,7 @@ TEST(Field, DerivativesByComplexStep) {
   }
 }
 
-TEST(Field, KeepsTheTextAndTrimsIt) {
+TEST(TestField, KeepsTheTextAndTrimsIt) {
   EXPECT_EQ(parse_field(" poly:1, +2 ").text, "poly:1, +2");
   EXPECT_DOUBLE_EQ(value(parse_field("poly:1, +2"), 3), 7);
 }
@@ -56,7 +56,7 @@ std::string complaint(const std::string& text) {
   return "no error";
 }
 
-TEST(Field, ErrorsNameTheFormOrTheNearestKind) {
+TEST(TestField, ErrorsNameTheFormOrTheNearestKind) {
   EXPECT_NE(complaint("sinn:5").find("did you mean \"sin\"?"), std::string::npos);
   EXPECT_NE(complaint("sin:1,2").find("sin:A,k,phi"), std::string::npos);
   EXPECT_NE(complaint("poly:").find("poly:a0"), std::string::npos);
@@ -68,7 +68,7 @@ TEST(Field, ErrorsNameTheFormOrTheNearestKind) {
   EXPECT_NE(complaint("").find("unknown field"), std::string::npos);
 }
 
-TEST(Field, RefusesValuesThatOverflow) {
+TEST(TestField, RefusesValuesThatOverflow) {
   EXPECT_THROW(values(parse_field("exp:1000"), {Vec<1>(1.0)}), InputError);
   EXPECT_NO_THROW(values(parse_field("tanh:1000,0"), {Vec<1>(3.0)}));
   EXPECT_EQ(derivatives(parse_field("tanh:1000,0"), {Vec<1>(3.0)})[0], 0);

@@ -6,29 +6,30 @@
 #include <array>
 #include <cmath>
 
+#include "lib/core/error.hpp"
 #include "oned/account.hpp"
 #include "oned/explorer.hpp"
-#include "plumbline/core/error.hpp"
 
 namespace {
 
 using namespace plumb;
 using namespace plumb::oned;
 
-TEST(Study, PublishedTableOfTheCubicField) {
+TEST(RefinementStudy, PublishedTableOfTheCubicField) {
   // method.md and issue 2: RMSE to four digits
-  const Study study = refine({}, {20, 40, 80, 160}, {parse_field("poly:1,0,0,1")}, {{"improved", Pair::W1}});
+  const RefinementStudy study =
+      refine({}, {20, 40, 80, 160}, {parse_field("poly:1,0,0,1")}, {{"improved", Correction::W1}});
   const double expected[] = {1.130, 0.4093, 0.1464, 0.05208};
   const double half_unit[] = {5e-4, 5e-5, 5e-5, 5e-6};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(study.rows[k].norms.rmse, expected[k], half_unit[k]);
 }
 
-TEST(Study, NormsOfAKnownError) {
+TEST(RefinementStudy, NormsOfAKnownError) {
   Discretisation d;
   d.length = 10;
   d.n = 10;
   d.radius.value = 1.5;  // interior: 3 <= X <= 7, the particles 3.5, 4.5, 5.5, 6.5
-  const ErrorNorms norms = error_norms(make_cloud(d), d.support(), {5, 0, 0, 1, -3, 0, 0, 0, 0, 1});
+  const GradientErrors norms = error_norms(make_cloud(d), d.support(), {5, 0, 0, 1, -3, 0, 0, 0, 0, 1});
   EXPECT_DOUBLE_EQ(norms.rmse, std::sqrt(36.0 / 10));
   EXPECT_EQ(norms.max, 5);
   EXPECT_DOUBLE_EQ(*norms.interior_rmse, std::sqrt(10.0 / 4));
@@ -36,7 +37,7 @@ TEST(Study, NormsOfAKnownError) {
   EXPECT_EQ(*norms.boundary_max, 5);
 }
 
-TEST(Study, InteriorIncludesItsEndsWhateverTheRounding) {
+TEST(RefinementStudy, InteriorIncludesItsEndsWhateverTheRounding) {
   Discretisation d;  // node layout: 2R = 6 dx is a particle; 0.3 has no exact spacing
   d.length = 0.3;
   d.layout = Layout::node;
@@ -48,35 +49,36 @@ TEST(Study, InteriorIncludesItsEndsWhateverTheRounding) {
   EXPECT_EQ(*error_norms(make_cloud(d), d.support(), error).boundary_max, 0);
 }
 
-TEST(Study, ShortBodyHasNoInterior) {
-  const Study study = refine({}, {12, 40}, {parse_field("sin:1")}, {{"standard", Pair::W1}});
+TEST(RefinementStudy, ShortBodyHasNoInterior) {
+  const RefinementStudy study = refine({}, {12, 40}, {parse_field("sin:1")}, {{"standard", Correction::W1}});
   EXPECT_FALSE(study.rows[0].norms.interior_rmse.has_value());  // 4R = 16 dx > L
   EXPECT_TRUE(study.rows[1].norms.interior_rmse.has_value());
 }
 
-Trend trend_of(const Study& study, const std::string& norm) {
+Trend trend_of(const RefinementStudy& study, const std::string& norm) {
   return std::find_if(study.fits.begin(), study.fits.end(), [&](const StudyFit& f) { return f.norm == norm; })
       ->trend;
 }
 
-TEST(Study, TrendsSayWhatTheErrorsDo) {
+TEST(RefinementStudy, TrendsSayWhatTheErrorsDo) {
   const std::vector<Index> cells = {40, 80, 160, 320, 640};
-  const Field cubic = parse_field("poly:1,0,0,1");
-  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"improved", Pair::W1}}), "rmse"), Trend::asymptotic);
-  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"bond", Pair::W1}}), "rmse"), Trend::stalled);
-  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"standard", Pair::none}}), "rmse"), Trend::divergent);
-  EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:1,1")}, {{"improved", Pair::W1}}), "rmse"),
+  const TestField cubic = parse_field("poly:1,0,0,1");
+  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"improved", Correction::W1}}), "rmse"), Trend::asymptotic);
+  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"bond", Correction::W1}}), "rmse"), Trend::stalled);
+  EXPECT_EQ(trend_of(refine({}, cells, {cubic}, {{"standard", Correction::none}}), "rmse"), Trend::divergent);
+  EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:1,1")}, {{"improved", Correction::W1}}), "rmse"),
             Trend::noise_floor);
   // three levels agree to four digits, and no verdict can be made of them
-  EXPECT_EQ(trend_of(refine({}, {20, 40, 80}, {cubic}, {{"improved", Pair::W1}}), "interior_rmse"),
+  EXPECT_EQ(trend_of(refine({}, {20, 40, 80}, {cubic}, {{"improved", Correction::W1}}), "interior_rmse"),
             Trend::too_few_levels);
-  EXPECT_EQ(trend_of(refine({}, {40}, {cubic}, {{"improved", Pair::W1}}), "rmse"), Trend::too_few_levels);
-  EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:2")}, {{"improved", Pair::W1}}), "rmse"),
+  EXPECT_EQ(trend_of(refine({}, {40}, {cubic}, {{"improved", Correction::W1}}), "rmse"),
+            Trend::too_few_levels);
+  EXPECT_EQ(trend_of(refine({}, cells, {parse_field("poly:2")}, {{"improved", Correction::W1}}), "rmse"),
             Trend::noise_floor);
 }
 
-TEST(Study, RefusesBeforeComputing) {
-  const Field field = parse_field("sin:1");
+TEST(RefinementStudy, RefusesBeforeComputing) {
+  const TestField field = parse_field("sin:1");
   EXPECT_THROW(refine({}, {}, {field}, {{}}), InputError);
   EXPECT_THROW(refine({}, {20, 20}, {field}, {{}}), InputError);
   EXPECT_THROW(refine({}, {20, 1}, {field}, {{}}), InputError);
@@ -104,7 +106,7 @@ TEST(Explorer, Figure2ShowsThePropertiesThatThePaperNames) {
 
 TEST(Account, SentencesOfSection41) {
   std::vector<std::pair<std::string, Holds>> found;
-  for (const Sentence& s : account()) {
+  for (const Remark& s : account()) {
     found.emplace_back(s.where, s.holds);
     EXPECT_FALSE(s.finding.empty() || s.measured.empty()) << s.claim;
     for (const auto& [name, number] : s.measured) EXPECT_TRUE(std::isfinite(number)) << name;

@@ -6,8 +6,8 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 
+#include "lib/output/particles.hpp"
 #include "places.hpp"
-#include "plumbline/output/particles.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -7,9 +7,9 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 
+#include "lib/core/error.hpp"
 #include "mms/exact_fields.hpp"
 #include "places.hpp"
-#include "plumbline/core/error.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

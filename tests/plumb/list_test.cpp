@@ -6,11 +6,11 @@
 #include <regex>
 #include <set>
 
+#include "lib/core/error.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/scene/read_scene.hpp"
 #include "mms/manufactured.hpp"
 #include "places.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/scene/names.hpp"
-#include "plumbline/scene/read_scene.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

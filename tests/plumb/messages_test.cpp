@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "lib/input/document.hpp"
+#include "lib/input/section.hpp"
 #include "places.hpp"
-#include "plumbline/input/document.hpp"
-#include "plumbline/input/section.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

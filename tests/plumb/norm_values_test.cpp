@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/statics/statics.hpp"
 #include "mms/level.hpp"
 #include "places.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/statics/statics.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {
@@ -96,7 +96,7 @@ mms::PointValue<2> interpolated(const mms::LevelRun<2>& run, const Vec<2>& X, do
   for (std::size_t j = 0; j < run.values.size(); ++j)
     if ((run.cloud.X[j] - X).norm() < kernel.support * h)
       near.push_back({run.cloud.X[j] - X, run.cloud.V[j]}), who.push_back(j);
-  const auto weights = correct<2>(Pair::W1, kernel, h, near);
+  const auto weights = correct<2>(Correction::W1, kernel, h, near);
   mms::PointValue<2> value;
   for (std::size_t k = 0; k < who.size(); ++k) {
     const auto& at = run.values[who[k]];

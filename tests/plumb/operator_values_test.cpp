@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lib/scene/study.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/operators.hpp"
 #include "places.hpp"
-#include "plumbline/scene/study.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/richardson.hpp"
 #include "places.hpp"
-#include "plumbline/convergence/richardson.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -7,8 +7,8 @@
 #include <random>
 #include <regex>
 
+#include "lib/run/checkpoint.hpp"
 #include "places.hpp"
-#include "plumbline/run/checkpoint.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {
@@ -82,8 +82,8 @@ class Resume : public testing::Test {
     for (int end = 15;; end *= 2) {
       write_scene(end);
       const auto outcome = run_shell(call(out, arguments) + " & run=$!; until [ -e " + checkpoint(out) +
-                                     " ] || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; kill -" + signal +
-                                     " $run; wait $run");
+                                     " ] || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; kill -" +
+                                     signal + " $run; wait $run");
       if (outcome.code != 0 || end > 1000) return outcome;
       std::filesystem::remove_all(folder_ / out);
     }

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "plumbline/output/json.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/output/json.hpp"
+#include "lib/output/table.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {
@@ -58,7 +58,8 @@ double peak_of(const std::string& arguments) {
 /// supports and the exact values: some 30 numbers for the two rows of a particle.
 TEST(Rows, ManyRowsTakeLittleMemory) {
   const test::TemporaryFolder folder;
-  const std::string call = "oned gradient --field sin:5 --quiet --json " + (folder / "a.json").string() + " --n ";
+  const std::string call =
+      "oned gradient --field sin:5 --quiet --json " + (folder / "a.json").string() + " --n ";
   const double few = peak_of(call + "100"), many = peak_of(call + "50000");
   constexpr double rows = 2 * 50000;
   EXPECT_LT((many - few) / rows, 500);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "plumbline/run/checkpoint.hpp"
+#include "lib/run/checkpoint.hpp"
 #include "tests/support/run_scene.hpp"
 
 namespace plumb {

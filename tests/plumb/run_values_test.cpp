@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "plumbline/run/checkpoint.hpp"
+#include "lib/run/checkpoint.hpp"
 #include "tests/support/run_scene.hpp"
 
 namespace plumb {

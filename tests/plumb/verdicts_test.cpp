@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/words.hpp"
 #include "places.hpp"
-#include "plumbline/convergence/words.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/particles.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/particles.hpp"
 #include "reports/results.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -27,7 +27,7 @@ BodyState cube(int n, bool plane = false) {
   return state;
 }
 
-const Quantity quantity{"x", "m", 1, 0, 2};
+const ColourScale quantity{"x", "m", 1, 0, 2};
 
 Patches patches(const BodyState& state, const View& view) {
   return std::get<Patches>(body_picture("cube", state, view, quantity, 1, {state}).map);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/output/particles.hpp"
+#include "lib/output/particles.hpp"
 #include "reports/results.hpp"
 
 /// Results of studies that were never run: every number in them is another one, so that a number in a picture

@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/words.hpp"
 #include "reports/checks.hpp"
 
 namespace {

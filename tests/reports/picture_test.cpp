@@ -10,7 +10,7 @@
 #include <limits>
 #include <sstream>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "reports/plot/check.hpp"
 #include "reports/plot/prepare.hpp"
 

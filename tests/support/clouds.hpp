@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/gradient/neighbourhood.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/kernel/neighbourhood.hpp"
 
 namespace plumb::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "plumbline/compatible/compatible.hpp"
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
 #include "tests/support/solids.hpp"
 
 /// Projected tables for tests.

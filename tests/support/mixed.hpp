@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "plumbline/schemes/mixed/mixed.hpp"
+#include "lib/schemes/mixed/mixed.hpp"
 
 /// Bodies for the tests of the scheme of paper 003.
 namespace plumb::testing {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "plumbline/material/material.hpp"
+#include "lib/material/material.hpp"
 #include "tests/support/plain_table.hpp"
 
 namespace plumb::test {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/geometry/ghosts.hpp"
-#include "plumbline/kernel/kernel.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/geometry/ghosts.hpp"
+#include "lib/kernel/kernel.hpp"
 
 namespace plumb::test {
 

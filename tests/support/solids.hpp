@@ -2,7 +2,7 @@
 #include <random>
 #include <string>
 
-#include "plumbline/solid/evaluate.hpp"
+#include "lib/schemes/tlsph/loops/evaluate.hpp"
 
 /// Bodies for the tests of the solver.
 namespace plumb::testing {
@@ -10,7 +10,7 @@ namespace plumb::testing {
 struct Scheme {
   std::string estimator = "improved";
   std::string momentum = "adjoint";
-  Pair pair = Pair::W1;
+  Correction pair = Correction::W1;
   double beta = 0.9;
   bool laplacian = false;
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "plumbline/core/type_list.hpp"
+#include "lib/core/type_list.hpp"
 
 namespace plumb::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "plumbline/schemes/updated/updated.hpp"
+#include "lib/schemes/updated/updated.hpp"
 #include "tests/support/clouds.hpp"
 
 /// Bodies for the tests of the updated Lagrangian scheme of paper 002.

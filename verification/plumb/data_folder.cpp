@@ -1,13 +1,13 @@
-#include "plumb/data_folder.hpp"
+#include "verification/plumb/data_folder.hpp"
 
 #include <fmt/format.h>
 
 #include <fstream>
 
+#include "lib/core/error.hpp"
 #include "places.hpp"
-#include "plumbline/core/error.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 std::filesystem::path data_folder(const std::filesystem::path& given) {
   namespace fs = std::filesystem;
@@ -30,4 +30,4 @@ std::string what_it_shows(const std::filesystem::path& scene) {
   return "";
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

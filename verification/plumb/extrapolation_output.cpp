@@ -1,11 +1,11 @@
-#include "plumb/extrapolation_output.hpp"
+#include "verification/plumb/extrapolation_output.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/convergence/least_squares.hpp"
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/least_squares.hpp"
+#include "lib/convergence/words.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -115,4 +115,4 @@ Extrapolated extrapolated(const std::vector<Sample>& samples, double safety,
   return out;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

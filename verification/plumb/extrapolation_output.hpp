@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/convergence/richardson.hpp"
+#include "lib/convergence/richardson.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// What values on several grids say about their limit, for people and as JSON.
 struct Extrapolated {
@@ -24,4 +24,4 @@ struct Extrapolated {
 Extrapolated extrapolated(const std::vector<Sample>& samples, double safety,
                           std::optional<double> declared_order);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/fit_text.hpp"
+#include "verification/plumb/fit_text.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/norm_units.hpp"
+#include "lib/convergence/words.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// "order 2.016 [1.856, 2.177] from 4 of 5 levels".
@@ -60,4 +60,4 @@ void point_to_verdicts(CLI::App& command) {
   command.footer(command.get_footer() + "\nVerdicts are explained by: plumb verdicts");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/convergence/order_fit.hpp"
+#include "lib/convergence/order_fit.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 
 /// One fitted order as a line for people.
 struct FitLine {
   std::string name;  ///< of the norm, the operator or the integrator
   const OrderFit& fit;
   std::optional<double> declared;
-  std::string verdict;  ///< a word of plumbline/convergence/words.hpp
+  std::string verdict;  ///< a word of lib/convergence/words.hpp
 };
 
 /// Writes the lines below each other with their orders in one column: "l2  order 2.016 [1.856, 2.177] from 4
@@ -32,4 +32,4 @@ nlohmann::ordered_json with_units(const nlohmann::ordered_json& levels, int dime
 /// Says in the help of a command where its verdicts are explained.
 void point_to_verdicts(CLI::App& command);
 
-}  // namespace plumb
+}  // namespace plumb::app

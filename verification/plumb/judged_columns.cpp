@@ -1,17 +1,17 @@
-#include "plumb/judged_columns.hpp"
+#include "verification/plumb/judged_columns.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <iostream>
 
-#include "plumb/fit_text.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/core/error.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/verdict.hpp"
+#include "lib/core/error.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -107,4 +107,4 @@ void draw_columns(const Session& session, const std::string& title,
     session.warn(fmt::format("{}: {} points not drawn, {}", dropped.series, dropped.points, dropped.why));
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

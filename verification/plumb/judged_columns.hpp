@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "plumb/level_table.hpp"
-#include "plumbline/convergence/order_fit.hpp"
+#include "lib/convergence/order_fit.hpp"
 #include "reports/picture.hpp"
+#include "verification/plumb/level_table.hpp"
 
-namespace plumb {
+namespace plumb::app {
 struct Session;
 
 /// Errors of one name on several levels, with their order and its verdict.
@@ -41,4 +41,4 @@ void tell_columns(const Session& session, const std::vector<JudgedColumn>& colum
 /// Draws them for --plot, if asked for.
 void draw_columns(const Session& session, const std::string& title, const std::vector<JudgedColumn>& columns);
 
-}  // namespace plumb
+}  // namespace plumb::app

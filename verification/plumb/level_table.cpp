@@ -1,10 +1,10 @@
-#include "plumb/level_table.hpp"
+#include "verification/plumb/level_table.hpp"
 
 #include <cmath>
 #include <functional>
 #include <map>
 
-namespace plumb {
+namespace plumb::app {
 
 double RunsOfLevel::mean() const {
   double sum = 0;
@@ -35,4 +35,4 @@ std::vector<RunsOfLevel> runs_of(const NumberTable& table, std::size_t spacing, 
   return runs;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "plumbline/input/number_table.hpp"
+#include "lib/input/number_table.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// All runs of one spacing.
 struct RunsOfLevel {
@@ -22,4 +22,4 @@ struct RunsOfLevel {
 /// The runs of one column, from coarse to fine.
 std::vector<RunsOfLevel> runs_of(const NumberTable& table, std::size_t spacing, std::size_t value);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/mms_cost.hpp"
+#include "verification/plumb/mms_cost.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/core/error.hpp"
+#include "lib/convergence/norm_units.hpp"
+#include "lib/core/error.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -74,11 +74,11 @@ Json number_or_null(double value) {
 
 }  // namespace
 
-std::vector<mms::Variant> variants_of(const std::vector<std::string>& files,
-                                      const std::vector<std::string>& vary,
-                                      const std::vector<std::string>& overrides,
-                                      const std::vector<std::string>& solutions) {
-  std::vector<mms::Variant> variants;
+std::vector<mms::Contender> variants_of(const std::vector<std::string>& files,
+                                        const std::vector<std::string>& vary,
+                                        const std::vector<std::string>& overrides,
+                                        const std::vector<std::string>& solutions) {
+  std::vector<mms::Contender> variants;
   for (const auto& file : files)
     for (const auto& choice : combinations(vary)) {
       std::vector<std::string> set = overrides;
@@ -184,4 +184,4 @@ reports::Picture temporal_picture(const Study& study, const mms::TemporalResult&
   return picture;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

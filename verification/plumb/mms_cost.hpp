@@ -7,14 +7,14 @@
 #include "mms/work_precision.hpp"
 #include "reports/picture.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Every combination of what is to be varied, for every study file. Each entry of `vary` is
 /// "section.key=value,value,..". Throws InputError.
-std::vector<mms::Variant> variants_of(const std::vector<std::string>& files,
-                                      const std::vector<std::string>& vary,
-                                      const std::vector<std::string>& overrides,
-                                      const std::vector<std::string>& solutions);
+std::vector<mms::Contender> variants_of(const std::vector<std::string>& files,
+                                        const std::vector<std::string>& vary,
+                                        const std::vector<std::string>& overrides,
+                                        const std::vector<std::string>& solutions);
 
 /// {"threads", "repeats", "points", "cheapest"}.
 nlohmann::ordered_json json_of(const mms::WorkPrecision& result, int repeats);
@@ -26,4 +26,4 @@ nlohmann::ordered_json json_of(const Study& study, const mms::TemporalResult& re
 /// Errors over the time step, one line per integrator, and the error of the space discretisation.
 reports::Picture temporal_picture(const Study& study, const mms::TemporalResult& result);
 
-}  // namespace plumb
+}  // namespace plumb::app

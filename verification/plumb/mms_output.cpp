@@ -1,14 +1,14 @@
-#include "plumb/mms_output.hpp"
+#include "verification/plumb/mms_output.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/norm_units.hpp"
 #include "mms/manufactured.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumbline/convergence/norm_units.hpp"
+#include "verification/plumb/fit_text.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -153,4 +153,4 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
   return picture;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -6,7 +6,7 @@
 #include "mms/study.hpp"
 #include "reports/picture.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// {"study", "solution", "time", "levels", "fits", "notes", "status"}.
 nlohmann::ordered_json json_of(const Study& study, const mms::StudyResult& result);
@@ -27,4 +27,4 @@ std::string text_of(const std::vector<mms::StudyFit>& fits);
 /// Relative errors over spacing, one line per norm, with the triangle of the declared order.
 reports::Picture study_picture(const Study& study, const mms::StudyResult& result);
 
-}  // namespace plumb
+}  // namespace plumb::app

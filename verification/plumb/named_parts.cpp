@@ -1,4 +1,4 @@
-#include "plumb/named_parts.hpp"
+#include "verification/plumb/named_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -6,15 +6,15 @@
 #include <map>
 #include <tuple>
 
+#include "lib/core/type_list.hpp"
+#include "lib/input/unit_names.hpp"
+#include "lib/input/units.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
 #include "mms/manufactured.hpp"
-#include "plumb/parts.hpp"
-#include "plumbline/core/type_list.hpp"
-#include "plumbline/gradient/catalogue.hpp"
-#include "plumbline/input/unit_names.hpp"
-#include "plumbline/input/units.hpp"
-#include "plumbline/scene/names.hpp"
+#include "verification/plumb/parts.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// What names mean that have no header with a docstring of their own; by kind and name.
@@ -112,4 +112,4 @@ std::vector<NamedPart> named_parts() {
   return all;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb {
+namespace plumb::app {
 
 /// Something that a scene, a study or an option can name.
 struct NamedPart {
@@ -16,4 +16,4 @@ struct NamedPart {
 /// All of them, kind by kind, from the lists that the readers compare with.
 std::vector<NamedPart> named_parts();
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/oned_account.hpp"
+#include "verification/plumb/oned_account.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "lib/convergence/outcome.hpp"
 #include "oned/account.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -50,4 +50,4 @@ void add_account(CLI::App& group, Session& session) {
               {}, [&session] { return account(session); });
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -4,10 +4,10 @@ namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 struct Session;
 
 /// Adds `plumb oned account`: which sentences of paper 000 on the 1D study hold.
 void add_account(CLI::App& group, Session& session);
 
-}  // namespace plumb
+}  // namespace plumb::app

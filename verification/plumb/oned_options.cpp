@@ -1,4 +1,4 @@
-#include "plumb/oned_options.hpp"
+#include "verification/plumb/oned_options.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/gradient/catalogue.hpp"
-#include "plumbline/kernel/catalogue.hpp"
+#include "lib/kernel/catalogue.hpp"
+#include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// The names without repetitions, in the order given.
@@ -43,14 +43,14 @@ oned::Discretisation OnedOptions::discretisation() const {
   return d;
 }
 
-std::vector<oned::Field> OnedOptions::parsed_fields() const {
-  std::vector<oned::Field> result;
+std::vector<oned::TestField> OnedOptions::parsed_fields() const {
+  std::vector<oned::TestField> result;
   for (const auto& text : once(fields)) result.push_back(oned::parse_field(text));
   return result;
 }
 
-std::vector<oned::Method> OnedOptions::methods() const {
-  std::vector<oned::Method> result;
+std::vector<oned::GradientMethod> OnedOptions::methods() const {
+  std::vector<oned::GradientMethod> result;
   for (const auto& estimator : once(estimators)) {
     estimator_named<1>(estimator);
     for (const auto& pair : once(pairs))
@@ -120,4 +120,4 @@ nlohmann::ordered_json parameters_of(const OnedOptions& options) {
   return result;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 
 /// The options that the subcommands of `plumb oned` share, as typed.
 struct OnedOptions {
@@ -25,9 +25,9 @@ struct OnedOptions {
 
   /// The discretisation; its n is the only number of cells, or the first of several. Throws InputError.
   oned::Discretisation discretisation() const;
-  std::vector<oned::Field> parsed_fields() const;
+  std::vector<oned::TestField> parsed_fields() const;
   /// Every estimator with every pair, in that order, each once.
-  std::vector<oned::Method> methods() const;
+  std::vector<oned::GradientMethod> methods() const;
 };
 
 /// Adds --length, --n, --layout, --jitter, --seed, --kernel, --radius-over-dx and --radius. `several`: --n
@@ -39,4 +39,4 @@ void add_method_options(CLI::App& command, OnedOptions& options);
 /// What was asked for, for the JSON: {"length", "layout", ..., "radius_over_dx" or "radius"}.
 nlohmann::ordered_json parameters_of(const OnedOptions& options);
 
-}  // namespace plumb
+}  // namespace plumb::app

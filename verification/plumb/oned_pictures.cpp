@@ -1,11 +1,11 @@
-#include "plumb/oned_pictures.hpp"
+#include "verification/plumb/oned_pictures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// The series of that name, made if it is not there yet.
@@ -85,7 +85,7 @@ reports::Picture gradient_picture(const std::vector<oned::GradientRow>& rows, bo
   return picture;
 }
 
-reports::Picture study_picture(const oned::Study& study) {
+reports::Picture study_picture(const oned::RefinementStudy& study) {
   auto picture = empty_picture("Root mean square error of the estimated gradient",
                                {"dx", "m", reports::Scale::log}, {"RMSE", "1", reports::Scale::log});
   const bool several = several_fields(study.rows);
@@ -121,4 +121,4 @@ reports::Picture response_picture(const std::vector<oned::ResponseRow>& rows) {
   return picture;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

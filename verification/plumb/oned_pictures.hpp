@@ -6,7 +6,7 @@
 #include "oned/study.hpp"
 #include "reports/picture.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// W, W0 and W1 over the support, or the five gradients.
 reports::Picture kernel_picture(const oned::KernelView& view, bool gradients);
@@ -15,9 +15,9 @@ reports::Picture kernel_picture(const oned::KernelView& view, bool gradients);
 reports::Picture gradient_picture(const std::vector<oned::GradientRow>& rows, bool errors);
 
 /// RMSE over dx, with a slope triangle where a fit is asymptotic.
-reports::Picture study_picture(const oned::Study& study);
+reports::Picture study_picture(const oned::RefinementStudy& study);
 
 /// Response over theta, with the exact line.
 reports::Picture response_picture(const std::vector<oned::ResponseRow>& rows);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/oned_study.hpp"
+#include "verification/plumb/oned_study.hpp"
 
 #include <fmt/format.h>
 
@@ -8,16 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "lib/convergence/outcome.hpp"
 #include "oned/study.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/oned_options.hpp"
-#include "plumb/oned_output.hpp"
-#include "plumb/oned_pictures.hpp"
-#include "plumb/run/sittings.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
+#include "verification/plumb/drawing.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/oned_options.hpp"
+#include "verification/plumb/oned_pictures.hpp"
+#include "verification/plumb/run/sittings.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -69,7 +69,8 @@ std::string_view status_of(const std::vector<oned::StudyFit>& fits) {
 }
 
 /// The warnings of all levels, each text once.
-std::vector<std::string> study_warnings(const OnedOptions& options, const std::vector<oned::Field>& fields) {
+std::vector<std::string> study_warnings(const OnedOptions& options,
+                                        const std::vector<oned::TestField>& fields) {
   std::vector<std::string> all;
   oned::Discretisation level = options.discretisation();
   for (const Index n : options.n) {
@@ -128,4 +129,4 @@ void add_oned_study(CLI::App& group, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/provenance.hpp"
+#include "verification/plumb/provenance.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "plumb/build.hpp"
-#include "plumb/code.hpp"
-#include "plumb/commit.hpp"
+#include "verification/plumb/build.hpp"
+#include "verification/plumb/code.hpp"
+#include "verification/plumb/commit.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 std::string version() {
   return PLUMB_VERSION;
@@ -41,4 +41,4 @@ nlohmann::ordered_json provenance() {
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

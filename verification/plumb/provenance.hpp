@@ -2,7 +2,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace plumb {
+namespace plumb::app {
 
 /// The version, "0.1.0".
 std::string version();
@@ -20,4 +20,4 @@ std::string build_identity();
 /// ISO 8601; threads is what OpenMP will use.
 nlohmann::ordered_json provenance();
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,18 +1,18 @@
-#include "plumb/result.hpp"
+#include "verification/plumb/result.hpp"
 
 #include <array>
 
-#include "plumb/provenance.hpp"
-#include "plumbline/input/scene_error.hpp"
+#include "lib/input/scene_error.hpp"
+#include "verification/plumb/provenance.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Names under which commands have their table.
-constexpr std::array tables{"rows",   "levels",    "points", "faults",   "claims",
-                            "sentences", "parts", "solutions", "modes"};
+constexpr std::array tables{"rows",      "levels", "points",    "faults", "claims",
+                            "sentences", "parts",  "solutions", "modes"};
 
 /// What every document begins with.
 Json head(const Call& call, const std::string& kind, const std::string& status) {
@@ -83,4 +83,4 @@ std::string json_destination(const std::vector<std::string>& arguments) {
   return found;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

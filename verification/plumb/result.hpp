@@ -6,7 +6,7 @@
 
 /// The one shape of everything that --json writes: plumbline, command, provenance, kind, status, exit_code,
 /// the keys of the command, rows. verification/schema/result.json describes it.
-namespace plumb {
+namespace plumb::app {
 
 /// Which call a result comes from and how it ended.
 struct Call {
@@ -30,4 +30,4 @@ nlohmann::ordered_json error_document(const std::exception& error, const Call& c
 /// The value of --json on a command line, also on one that cannot be parsed; empty if there is none.
 std::string json_destination(const std::vector<std::string>& arguments);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,18 +1,18 @@
-#include "plumb/row_output.hpp"
+#include "verification/plumb/row_output.hpp"
 
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "plumb/result.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/json.hpp"
-#include "plumbline/output/pieces.hpp"
-#include "plumbline/output/table_parts.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/json.hpp"
+#include "lib/output/pieces.hpp"
+#include "lib/output/table_parts.hpp"
+#include "verification/plumb/result.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -87,4 +87,4 @@ void write_rows(const Session& session, Json result, const Rows& rows) {
   to_file(session.json, [&](const WritePiece& write) { write_json(whole, rows, write); });
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

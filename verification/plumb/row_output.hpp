@@ -3,7 +3,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
-namespace plumb {
+namespace plumb::app {
 struct Session;
 
 /// The rows of a result, each made where it is written: millions of them need no memory.
@@ -16,4 +16,4 @@ struct Rows {
 /// as Session::write_table and Session::write_json.
 void write_rows(const Session& session, nlohmann::ordered_json result, const Rows& rows);
 
-}  // namespace plumb
+}  // namespace plumb::app

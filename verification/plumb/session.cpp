@@ -1,4 +1,4 @@
-#include "plumb/session.hpp"
+#include "verification/plumb/session.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -8,12 +8,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "plumb/result.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/json.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/json.hpp"
+#include "verification/plumb/result.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 constexpr int most_threads = 1024;
@@ -139,4 +139,4 @@ CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandTex
   return group;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -6,14 +6,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "plumbline/output/progress.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/output/progress.hpp"
+#include "lib/output/table.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 
 /// One call of the program: the options that every subcommand shares, and the only ways out for results.
 /// A subcommand computes first and writes last, so that bad input leaves nothing behind.
@@ -81,4 +81,4 @@ CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& tex
 /// Adds a group of subcommands ("oned"). Called without one of them, it prints its help.
 CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text);
 
-}  // namespace plumb
+}  // namespace plumb::app

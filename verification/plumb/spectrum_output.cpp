@@ -1,4 +1,4 @@
-#include "plumb/spectrum_output.hpp"
+#include "verification/plumb/spectrum_output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/output/particles.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/output/particles.hpp"
+#include "lib/output/table.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -184,4 +184,4 @@ PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)
 #undef PLUMB_INSTANTIATE
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,10 +3,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "plumbline/scene/scene.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/scene/scene.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// The numbers of a spectrum under the names of `plumb spectrum --json`. What was not found is null;
 /// "at_least" says whether a count is a lower bound. "modes" has the `listed` lowest modes and after them the
@@ -30,4 +30,4 @@ template <int d>
 void write_modes(const Spectrum& spectrum, const LinearOperator<d>& op, int listed,
                  const std::filesystem::path& folder);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,13 +1,13 @@
-#include "plumb/symbol_output.hpp"
+#include "verification/plumb/symbol_output.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/lattice_symbol.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/lattice_symbol.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -42,4 +42,4 @@ Json symbol_rows(const Scene& scene, int points) {
   return scene.dimension == 2 ? symbol_in<2>(scene, points) : symbol_in<3>(scene, points);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,9 +1,9 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
-#include "plumbline/scene/scene.hpp"
+#include "lib/scene/scene.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// The scheme of the scene on the infinite lattice, along the edge, the face diagonal and the space diagonal,
 /// at `points` steps up to theta = pi: rows {"direction", "theta", "gradient", "lowest", "largest"}.
@@ -11,4 +11,4 @@ namespace plumb {
 /// THEORY (9.4), (9.5).
 nlohmann::ordered_json symbol_rows(const Scene& scene, int points);
 
-}  // namespace plumb
+}  // namespace plumb::app

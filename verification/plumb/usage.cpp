@@ -1,13 +1,13 @@
-#include "plumb/usage.hpp"
+#include "verification/plumb/usage.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "plumbline/core/sentences.hpp"
+#include "lib/core/sentences.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 constexpr const char* plain_characters =
@@ -141,4 +141,4 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   return sentences(fmt::format("{}: {}", path, error.what()), "", fmt::format("see {} --help", path));
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

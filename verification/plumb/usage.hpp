@@ -10,7 +10,7 @@ class Option;
 class ParseError;
 }  // namespace CLI
 
-namespace plumb {
+namespace plumb::app {
 
 /// What the exit codes mean.
 inline constexpr std::array<std::pair<int, const char*>, 3> exit_codes{{
@@ -59,4 +59,4 @@ std::vector<std::string> with_help_option(const CLI::App& program, std::vector<s
 /// The message for a command line that cannot be parsed: names the nearest valid option or subcommand.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -6,11 +6,11 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 #include "mms/static_study.hpp"
 #include "places.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 

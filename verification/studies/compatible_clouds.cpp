@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "lib/scene/study.hpp"
 #include "mms/static_study.hpp"
 #include "places.hpp"
-#include "plumbline/scene/study.hpp"
 #include "reports/evidence.hpp"
 
 using namespace plumb;

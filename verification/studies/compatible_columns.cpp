@@ -5,10 +5,10 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 #include "places.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 

@@ -9,11 +9,11 @@
 #include <iostream>
 #include <set>
 
-#include "plumbline/compatible/compatible.hpp"
-#include "plumbline/geometry/neighbours.hpp"
-#include "plumbline/gradient/estimator.hpp"
-#include "plumbline/kernel/kernel.hpp"
-#include "plumbline/momentum/momentum_form.hpp"
+#include "lib/geometry/neighbours.hpp"
+#include "lib/kernel/kernel.hpp"
+#include "lib/schemes/tlsph/bonds/estimator.hpp"
+#include "lib/schemes/tlsph/bonds/momentum_form.hpp"
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
 
 using namespace plumb;
 
@@ -35,7 +35,7 @@ BondOptions<3> cube_options(double h) {
   BondOptions<3> options;
   options.kernel = kernel_named<3>("cubic");
   options.smoothing_length = h;
-  options.pair = Pair::W1;
+  options.pair = Correction::W1;
   options.estimator = estimator_named<3>("improved");
   options.momentum = momentum_form_named<3>("adjoint");
   return options;

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <optional>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 using namespace plumb;
 

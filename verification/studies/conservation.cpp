@@ -8,10 +8,10 @@
 #include <iostream>
 #include <map>
 
-#include "plumbline/diagnostics/budget.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/run/run.hpp"
-#include "plumbline/time/integrator.hpp"
+#include "lib/measures/budget.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;

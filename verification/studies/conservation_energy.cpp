@@ -6,11 +6,11 @@
 #include <cmath>
 #include <iostream>
 
+#include "lib/measures/budget.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 #include "places.hpp"
-#include "plumbline/diagnostics/budget.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 

@@ -5,11 +5,11 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "lib/convergence/verdict.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/norms.hpp"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/schemes/implicit/equilibrium.hpp"
 
 using namespace plumb;
 

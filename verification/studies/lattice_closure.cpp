@@ -7,15 +7,15 @@
 #include <iostream>
 #include <numbers>
 
+#include "lib/convergence/verdict.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/compatible/lattice_closure.hpp"
+#include "lib/schemes/tlsph/statics/statics.hpp"
+#include "lib/spectrum/lattice_symbol.hpp"
 #include "mms/static_study.hpp"
 #include "places.hpp"
-#include "plumbline/compatible/lattice_closure.hpp"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/lattice_symbol.hpp"
-#include "plumbline/statics/statics.hpp"
 
 using namespace plumb;
 using Set = std::vector<std::string>;

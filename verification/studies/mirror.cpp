@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "plumbline/diagnostics/budget.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/run/run.hpp"
+#include "lib/measures/budget.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/run/run.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;

@@ -15,7 +15,8 @@ using namespace plumb::oned;
 
 const Field cubic = parse_field("poly:1,0,0,1");
 const Field sine = parse_field("sin:5");
-const Method standard{"standard", Pair::W1}, improved{"improved", Pair::W1}, bond{"bond", Pair::W1};
+const Method standard{"standard", Correction::W1}, improved{"improved", Correction::W1},
+    bond{"bond", Correction::W1};
 
 Study printed(const char* title, Study study) {
   fmt::print("{}\n{:>6} {:>13} {:>9} {:>6} {:>11} {:>11} {:>11} {:>11}\n", title, "n", "field", "estimator",
@@ -64,7 +65,7 @@ const std::vector<Index> doublings = {160, 320, 640, 1280, 2560, 5120};
 
 TEST_CASE("1D, R/dx fixed: order 2 inside, 1 at the boundary, 1.5 in the mean square") {
   const Study study = printed("R = 4 dx", refine({}, doublings, {cubic, parse_field("exp:0.7")},
-                                                 {standard, improved, {"improved", Pair::W0}}));
+                                                 {standard, improved, {"improved", Correction::W0}}));
   for (const StudyFit& f : study.fits) {
     if (f.norm == "interior_max" || f.norm == "interior_rmse") require_order(f, 2);
     if (f.norm == "boundary_max" || f.norm == "max") require_order(f, 1);
@@ -116,18 +117,18 @@ TEST_CASE("1D, R fixed: the standard estimate stalls, the improved one falls far
 TEST_CASE("1D, uncorrected kernels diverge as N^1/2 in the printed form") {
   // the boundary error is x(L) V grad W / h ~ 1/dx in some particles of N: RMSE ~ dx^-1/2
   const Study study =
-      printed("R = 4 dx, no correction", refine({}, doublings, {cubic}, {{"standard", Pair::none}}));
-  const StudyFit& f = fit(study, cubic, {"standard", Pair::none}, "rmse");
+      printed("R = 4 dx, no correction", refine({}, doublings, {cubic}, {{"standard", Correction::none}}));
+  const StudyFit& f = fit(study, cubic, {"standard", Correction::none}, "rmse");
   CHECK(f.trend == Trend::divergent);
   CHECK(f.fit.order == Approx(-0.5).margin(0.02));
   // in difference form the error at the boundary is of size 1 in some particles of N
-  const Method difference{"standard", Pair::none, Form::difference};
+  const Method difference{"standard", Correction::none, Form::difference};
   const Study other = printed("difference form", refine({}, doublings, {cubic}, {difference}));
   CHECK(fit(other, cubic, difference, "rmse").fit.order == Approx(0.5).margin(0.02));
 }
 
 TEST_CASE("1D, the plain bond estimate does not converge") {
-  for (const Pair pair : {Pair::W0, Pair::W1}) {
+  for (const Correction pair : {Correction::W0, Correction::W1}) {
     const Method method{"bond", pair};
     const Study study = printed("R = 4 dx", refine({}, doublings, {cubic, sine}, {method}));
     for (const Field& field : {cubic, sine})

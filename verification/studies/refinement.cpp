@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iostream>
 
+#include "lib/material/models/neo_hookean.hpp"
 #include "mms/temporal.hpp"
 #include "places.hpp"
-#include "plumbline/material/models/neo_hookean.hpp"
 
 using namespace plumb;
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <iostream>
 
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "places.hpp"
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
 
 using namespace plumb;
 

@@ -5,10 +5,10 @@
 #include <iostream>
 #include <numbers>
 
-#include "plumbline/boundary/apply_actions.hpp"
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/run/run.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/boundary/apply_actions.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;
@@ -85,7 +85,7 @@ template <int d>
 void patch_tests() {
   for (const auto& kind : clouds)
     for (const std::string estimator : {"standard", "improved"})
-      for (const Pair pair : {Pair::W1, Pair::W0}) {
+      for (const Correction pair : {Correction::W1, Correction::W0}) {
         Scheme scheme;
         scheme.estimator = estimator;
         scheme.pair = pair;

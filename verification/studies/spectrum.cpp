@@ -1,13 +1,13 @@
 // Spectrum of the linearised operator (THEORY, section 9) against values found by independent calculation
 // (method.md) and against closed forms.
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/lattice_symbol.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/lattice_symbol.hpp"
 
 namespace plumb {
 namespace {
@@ -125,7 +125,7 @@ template <int d>
 BondOptions<d> options_of(const char* estimator, const char* momentum) {
   BondOptions<d> options;
   options.kernel = kernel_named<d>("cubic");
-  options.pair = Pair::W1;
+  options.pair = Correction::W1;
   options.estimator = estimator_named<d>(estimator);
   options.momentum = momentum_form_named<d>(momentum);
   return options;

@@ -1,9 +1,9 @@
 // Stability found by running, beside what linear theory says.
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/spectrum.hpp"
+#include "lib/stability/edge.hpp"
+#include "lib/stability/stability_study.hpp"
 #include "places.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
-#include "plumbline/stability/edge.hpp"
-#include "plumbline/stability/stability_study.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
 // The same scene in other units and at other scales is the same scene: no absolute threshold stands anywhere.
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/spectrum.hpp"
+#include "lib/stability/stability_study.hpp"
 #include "places.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
-#include "plumbline/stability/stability_study.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/shape.hpp"
 
 namespace plumb {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <fmt/format.h>
 
-#include "plumbline/geometry/crossing.hpp"
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/crossing.hpp"
+#include "lib/geometry/shape.hpp"
 
 namespace plumb {
 

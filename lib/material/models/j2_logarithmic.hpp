@@ -3,10 +3,10 @@
 #include <optional>
 #include <string_view>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/history.hpp"
-#include "plumbline/material/logarithmic_strain.hpp"
-#include "plumbline/material/return_mapping.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/history.hpp"
+#include "lib/material/logarithmic_strain.hpp"
+#include "lib/material/return_mapping.hpp"
 
 namespace plumb {
 

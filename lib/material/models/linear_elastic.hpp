@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "plumbline/material/material.hpp"
+#include "lib/material/material.hpp"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <string_view>
 
-#include "plumbline/core/scalar.hpp"
-#include "plumbline/material/invariants.hpp"
-#include "plumbline/material/law.hpp"
+#include "lib/core/scalar.hpp"
+#include "lib/material/invariants.hpp"
+#include "lib/material/law.hpp"
 
 namespace plumb {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <string_view>
 
-#include "plumbline/core/scalar.hpp"
-#include "plumbline/material/material.hpp"
+#include "lib/core/scalar.hpp"
+#include "lib/material/material.hpp"
 
 namespace plumb {
 

@@ -2,10 +2,10 @@
 #include <numbers>
 #include <string_view>
 
-#include "plumbline/core/roots.hpp"
-#include "plumbline/core/scalar.hpp"
-#include "plumbline/material/invariants.hpp"
-#include "plumbline/material/law.hpp"
+#include "lib/core/roots.hpp"
+#include "lib/core/scalar.hpp"
+#include "lib/material/invariants.hpp"
+#include "lib/material/law.hpp"
 
 namespace plumb {
 

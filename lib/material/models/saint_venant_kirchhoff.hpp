@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "plumbline/material/invariants.hpp"
+#include "lib/material/invariants.hpp"
 
 namespace plumb {
 

@@ -1,13 +1,13 @@
-#include "plumbline/schemes/element/element.hpp"
+#include "lib/schemes/element/element.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "plumbline/schemes/blocks.hpp"
-#include "plumbline/schemes/implicit/body_motion.hpp"
-#include "plumbline/schemes/tensors.hpp"
+#include "lib/schemes/blocks.hpp"
+#include "lib/schemes/implicit/body_motion.hpp"
+#include "lib/schemes/tensors.hpp"
 
 namespace plumb {
 namespace {

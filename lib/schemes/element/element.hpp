@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/schemes/apply.hpp"
-#include "plumbline/schemes/element/element_body.hpp"
-#include "plumbline/schemes/implicit/stored_energy.hpp"
+#include "lib/schemes/apply.hpp"
+#include "lib/schemes/element/element_body.hpp"
+#include "lib/schemes/implicit/stored_energy.hpp"
 
 namespace plumb {
 

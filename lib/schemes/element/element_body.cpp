@@ -1,12 +1,12 @@
-#include "plumbline/schemes/element/element_body.hpp"
+#include "lib/schemes/element/element_body.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/material/laws.hpp"
-#include "plumbline/material/tangent.hpp"
-#include "plumbline/schemes/gather.hpp"
+#include "lib/material/laws.hpp"
+#include "lib/material/tangent.hpp"
+#include "lib/schemes/gather.hpp"
 
 namespace plumb {
 namespace {

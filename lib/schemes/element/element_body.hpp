@@ -2,11 +2,11 @@
 #include <functional>
 #include <optional>
 
-#include "plumbline/schemes/element/element_mesh.hpp"
-#include "plumbline/schemes/element/element_options.hpp"
-#include "plumbline/schemes/mixed/block_law.hpp"
-#include "plumbline/schemes/scheme.hpp"
-#include "plumbline/solid/linearise.hpp"
+#include "lib/schemes/element/element_mesh.hpp"
+#include "lib/schemes/element/element_options.hpp"
+#include "lib/schemes/mixed/block_law.hpp"
+#include "lib/schemes/scheme.hpp"
+#include "lib/schemes/tlsph/loops/linearise.hpp"
 
 namespace plumb {
 

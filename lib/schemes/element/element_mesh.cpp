@@ -1,4 +1,4 @@
-#include "plumbline/schemes/element/element_mesh.hpp"
+#include "lib/schemes/element/element_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/position_text.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/position_text.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/geometry/cloud.hpp"
+#include "lib/geometry/cloud.hpp"
 
 namespace plumb {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumbline/time/default_cfl.hpp"
+#include "lib/schemes/default_cfl.hpp"
 
 namespace plumb {
 

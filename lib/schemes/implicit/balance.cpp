@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/balance.hpp"
+#include "lib/schemes/implicit/balance.hpp"
 
 #include <algorithm>
 #include <cmath>

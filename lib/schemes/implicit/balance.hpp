@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "plumbline/schemes/implicit/discrete_energy.hpp"
-#include "plumbline/schemes/implicit/external_loads.hpp"
-#include "plumbline/schemes/implicit/held_path.hpp"
+#include "lib/schemes/implicit/discrete_energy.hpp"
+#include "lib/schemes/implicit/external_loads.hpp"
+#include "lib/schemes/implicit/held_path.hpp"
 
 namespace plumb {
 

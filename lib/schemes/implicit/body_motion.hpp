@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "plumbline/core/field.hpp"
+#include "lib/core/field.hpp"
 
 namespace plumb {
 

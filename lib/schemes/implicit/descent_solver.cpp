@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/descent_solver.hpp"
+#include "lib/schemes/implicit/descent_solver.hpp"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "plumbline/linear/cholesky.hpp"
+#include "lib/linear/cholesky.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/discrete_energy.hpp"
+#include "lib/schemes/implicit/discrete_energy.hpp"
 
 #include <limits>
 

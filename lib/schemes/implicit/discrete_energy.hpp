@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "plumbline/linear/known_product.hpp"
-#include "plumbline/schemes/implicit/stored_energy.hpp"
+#include "lib/linear/known_product.hpp"
+#include "lib/schemes/implicit/stored_energy.hpp"
 
 namespace plumb {
 

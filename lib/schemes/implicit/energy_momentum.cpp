@@ -1,9 +1,9 @@
-#include "plumbline/schemes/implicit/energy_momentum.hpp"
+#include "lib/schemes/implicit/energy_momentum.hpp"
 
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/laws.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/laws.hpp"
 
 namespace plumb {
 namespace {

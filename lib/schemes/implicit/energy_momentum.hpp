@@ -2,9 +2,9 @@
 #include <functional>
 #include <memory>
 
-#include "plumbline/material/law.hpp"
-#include "plumbline/schemes/implicit/body_motion.hpp"
-#include "plumbline/schemes/implicit/newton.hpp"
+#include "lib/material/law.hpp"
+#include "lib/schemes/implicit/body_motion.hpp"
+#include "lib/schemes/implicit/newton.hpp"
 
 namespace plumb {
 

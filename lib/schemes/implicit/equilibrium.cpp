@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/equilibrium.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
 
 namespace plumb {
 

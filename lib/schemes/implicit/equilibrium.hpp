@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "plumbline/schemes/implicit/load_path.hpp"
+#include "lib/schemes/implicit/load_path.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/external_loads.hpp"
+#include "lib/schemes/implicit/external_loads.hpp"
 
 #include <algorithm>
 

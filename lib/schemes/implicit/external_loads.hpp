@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/solid/linearise.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/schemes/tlsph/loops/linearise.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/held_path.hpp"
+#include "lib/schemes/implicit/held_path.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/actions/actions.hpp"
-#include "plumbline/schemes/implicit/external_loads.hpp"
+#include "lib/actions/actions.hpp"
+#include "lib/schemes/implicit/external_loads.hpp"
 
 namespace plumb {
 

@@ -1,11 +1,11 @@
-#include "plumbline/schemes/implicit/implicit_options.hpp"
+#include "lib/schemes/implicit/implicit_options.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
 
 namespace plumb {
 

@@ -1,10 +1,10 @@
-#include "plumbline/schemes/implicit/load_path.hpp"
+#include "lib/schemes/implicit/load_path.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "plumbline/schemes/implicit/supported.hpp"
+#include "lib/schemes/implicit/supported.hpp"
 
 namespace plumb {
 namespace {

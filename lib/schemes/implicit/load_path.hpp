@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/schemes/implicit/body_motion.hpp"
-#include "plumbline/schemes/implicit/implicit_options.hpp"
-#include "plumbline/schemes/implicit/newton.hpp"
+#include "lib/schemes/implicit/body_motion.hpp"
+#include "lib/schemes/implicit/implicit_options.hpp"
+#include "lib/schemes/implicit/newton.hpp"
 
 namespace plumb {
 

@@ -1,12 +1,12 @@
-#include "plumbline/schemes/implicit/loaded_vibrations.hpp"
+#include "lib/schemes/implicit/loaded_vibrations.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/linear/cholesky.hpp"
+#include "lib/core/error.hpp"
+#include "lib/linear/cholesky.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/schemes/implicit/balance.hpp"
+#include "lib/schemes/implicit/balance.hpp"
 
 namespace plumb {
 

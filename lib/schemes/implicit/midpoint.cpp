@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/midpoint.hpp"
+#include "lib/schemes/implicit/midpoint.hpp"
 
 namespace plumb {
 namespace {

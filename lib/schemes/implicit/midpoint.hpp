@@ -1,6 +1,6 @@
 #pragma once
-#include "plumbline/schemes/implicit/body_motion.hpp"
-#include "plumbline/schemes/implicit/newton.hpp"
+#include "lib/schemes/implicit/body_motion.hpp"
+#include "lib/schemes/implicit/newton.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "plumbline/schemes/implicit/newton.hpp"
+#include "lib/schemes/implicit/newton.hpp"
 
 #include <cmath>
 #include <limits>

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "plumbline/schemes/implicit/balance.hpp"
-#include "plumbline/schemes/implicit/descent_solver.hpp"
+#include "lib/schemes/implicit/balance.hpp"
+#include "lib/schemes/implicit/descent_solver.hpp"
 
 namespace plumb {
 

@@ -1,11 +1,11 @@
-#include "plumbline/schemes/implicit/stored_energy.hpp"
+#include "lib/schemes/implicit/stored_energy.hpp"
 
 #include <algorithm>
 #include <memory>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/solid/evaluate.hpp"
+#include "lib/core/error.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/loops/evaluate.hpp"
 
 namespace plumb {
 namespace {

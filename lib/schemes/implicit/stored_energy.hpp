@@ -2,7 +2,7 @@
 #include <functional>
 #include <optional>
 
-#include "plumbline/solid/linearise.hpp"
+#include "lib/schemes/tlsph/loops/linearise.hpp"
 
 namespace plumb {
 

@@ -1,13 +1,13 @@
-#include "plumbline/schemes/implicit/supported.hpp"
+#include "lib/schemes/implicit/supported.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/position_text.hpp"
-#include "plumbline/geometry/rigid_motions.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/position_text.hpp"
+#include "lib/geometry/rigid_motions.hpp"
 
 namespace plumb {
 namespace {

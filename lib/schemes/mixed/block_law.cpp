@@ -1,10 +1,10 @@
-#include "plumbline/schemes/mixed/block_law.hpp"
+#include "lib/schemes/mixed/block_law.hpp"
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/laws.hpp"
-#include "plumbline/material/models/polyconvex.hpp"
-#include "plumbline/schemes/gather.hpp"
-#include "plumbline/schemes/tensors.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/laws.hpp"
+#include "lib/material/models/polyconvex.hpp"
+#include "lib/schemes/gather.hpp"
+#include "lib/schemes/tensors.hpp"
 
 namespace plumb {
 namespace {

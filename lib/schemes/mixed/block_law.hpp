@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/material/law.hpp"
-#include "plumbline/schemes/mixed/mixed_state.hpp"
+#include "lib/material/law.hpp"
+#include "lib/schemes/mixed/mixed_state.hpp"
 
 namespace plumb {
 

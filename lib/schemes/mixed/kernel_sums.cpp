@@ -1,11 +1,11 @@
-#include "plumbline/schemes/mixed/kernel_sums.hpp"
+#include "lib/schemes/mixed/kernel_sums.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "plumbline/geometry/position_text.hpp"
-#include "plumbline/gradient/correction.hpp"
+#include "lib/geometry/position_text.hpp"
+#include "lib/kernel/correction.hpp"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/geometry/neighbours.hpp"
+#include "lib/geometry/neighbours.hpp"
 
 /// The kernel sums of paper 003 in the material configuration: (36) to (43).
 namespace plumb {

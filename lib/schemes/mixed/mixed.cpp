@@ -1,13 +1,13 @@
-#include "plumbline/schemes/mixed/mixed.hpp"
+#include "lib/schemes/mixed/mixed.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 
-#include "plumbline/schemes/blend.hpp"
-#include "plumbline/schemes/blocks.hpp"
-#include "plumbline/schemes/tensors.hpp"
+#include "lib/schemes/blend.hpp"
+#include "lib/schemes/blocks.hpp"
+#include "lib/schemes/tensors.hpp"
 
 namespace plumb {
 

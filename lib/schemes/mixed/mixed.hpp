@@ -3,12 +3,12 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/schemes/apply.hpp"
-#include "plumbline/schemes/mixed/block_law.hpp"
-#include "plumbline/schemes/mixed/mixed_bonds.hpp"
-#include "plumbline/schemes/mixed/mixed_options.hpp"
-#include "plumbline/schemes/scheme.hpp"
-#include "plumbline/solid/state.hpp"
+#include "lib/particles/block.hpp"
+#include "lib/schemes/apply.hpp"
+#include "lib/schemes/mixed/block_law.hpp"
+#include "lib/schemes/mixed/mixed_bonds.hpp"
+#include "lib/schemes/mixed/mixed_options.hpp"
+#include "lib/schemes/scheme.hpp"
 
 namespace plumb {
 

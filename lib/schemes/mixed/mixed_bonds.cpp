@@ -1,13 +1,13 @@
-#include "plumbline/schemes/mixed/mixed_bonds.hpp"
+#include "lib/schemes/mixed/mixed_bonds.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/gradient/each_bond.hpp"
-#include "plumbline/kernel/kernels/quadratic.hpp"
-#include "plumbline/momentum/forms/adjoint.hpp"
-#include "plumbline/schemes/mixed/kernel_sums.hpp"
-#include "plumbline/schemes/mixed/smoothing.hpp"
+#include "lib/kernel/kernels/quadratic.hpp"
+#include "lib/schemes/mixed/kernel_sums.hpp"
+#include "lib/schemes/mixed/smoothing.hpp"
+#include "lib/schemes/tlsph/bonds/each_bond.hpp"
+#include "lib/schemes/tlsph/bonds/forms/adjoint.hpp"
 
 namespace plumb {
 namespace {
@@ -18,7 +18,7 @@ BondTable<d> material_table(Cloud<d>& cloud, const MixedOptions& options, Kernel
   BondOptions<d> o;
   o.kernel = radial_kernel<d, Quadratic>();
   o.smoothing_length = options.list * cloud.spacing / Quadratic::support;
-  o.pair = Pair::none;
+  o.pair = Correction::none;
   o.estimator = [](Neighbourhood<d> seen, const CorrectedKernel<d>&) {
     return std::vector<Vec<d>>(seen.size(), Vec<d>::Zero());  // they are made all together
   };

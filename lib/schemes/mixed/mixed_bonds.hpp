@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "plumbline/gradient/bond_table.hpp"
-#include "plumbline/material/material.hpp"
-#include "plumbline/schemes/mixed/mixed_options.hpp"
+#include "lib/material/material.hpp"
+#include "lib/schemes/mixed/mixed_options.hpp"
+#include "lib/schemes/tlsph/bonds/bond_table.hpp"
 
 namespace plumb {
 

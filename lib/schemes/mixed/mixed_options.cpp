@@ -1,8 +1,8 @@
-#include "plumbline/schemes/mixed/mixed_options.hpp"
+#include "lib/schemes/mixed/mixed_options.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
 
 namespace plumb {
 

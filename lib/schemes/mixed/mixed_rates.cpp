@@ -1,10 +1,10 @@
-#include "plumbline/schemes/blend.hpp"
-#include "plumbline/schemes/blocks.hpp"
-#include "plumbline/schemes/mixed/mixed.hpp"
-#include "plumbline/schemes/mixed/smoothing.hpp"
-#include "plumbline/schemes/mixed/upwind_adjoint.hpp"
-#include "plumbline/schemes/mixed/upwind_constant.hpp"
-#include "plumbline/schemes/mixed/upwind_reconstructed.hpp"
+#include "lib/schemes/blend.hpp"
+#include "lib/schemes/blocks.hpp"
+#include "lib/schemes/mixed/mixed.hpp"
+#include "lib/schemes/mixed/smoothing.hpp"
+#include "lib/schemes/mixed/upwind_adjoint.hpp"
+#include "lib/schemes/mixed/upwind_constant.hpp"
+#include "lib/schemes/mixed/upwind_reconstructed.hpp"
 
 /// The right-hand side of (53) to (57) of paper 003, in three passes over the bonds: gradients, pairs, force.
 namespace plumb {

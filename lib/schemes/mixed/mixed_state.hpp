@@ -1,6 +1,6 @@
 #pragma once
-#include "plumbline/core/field.hpp"
-#include "plumbline/particles/role.hpp"
+#include "lib/core/field.hpp"
+#include "lib/particles/role.hpp"
 
 namespace plumb {
 

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "plumbline/schemes/mixed/smoothing.hpp"
+#include "lib/schemes/mixed/smoothing.hpp"
 
 /// Updates of the reference configuration: (49) to (52) of paper 003. Volumes V_chi,b = J_chi,b V_b take the
 /// factors 1/J_chi,b of the kernels away, so none of them appears.

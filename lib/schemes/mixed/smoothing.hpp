@@ -1,9 +1,9 @@
 #pragma once
-#include "plumbline/core/roots.hpp"
-#include "plumbline/schemes/gather.hpp"
-#include "plumbline/schemes/mixed/kernel_sums.hpp"
-#include "plumbline/schemes/mixed/mixed_bonds.hpp"
-#include "plumbline/schemes/tensors.hpp"
+#include "lib/core/roots.hpp"
+#include "lib/schemes/gather.hpp"
+#include "lib/schemes/mixed/kernel_sums.hpp"
+#include "lib/schemes/mixed/mixed_bonds.hpp"
+#include "lib/schemes/tensors.hpp"
 
 /// The smoothed velocity of Algorithm 1, line 15: sum V_b v_b W~_b(a) with the corrected kernel (38) to (40).
 namespace plumb {

@@ -1,9 +1,9 @@
 #pragma once
-#include "plumbline/core/roots.hpp"
-#include "plumbline/schemes/gather.hpp"
-#include "plumbline/schemes/mixed/mixed_bonds.hpp"
-#include "plumbline/schemes/tensors.hpp"
-#include "plumbline/solid/state.hpp"
+#include "lib/core/roots.hpp"
+#include "lib/particles/block.hpp"
+#include "lib/schemes/gather.hpp"
+#include "lib/schemes/mixed/mixed_bonds.hpp"
+#include "lib/schemes/tensors.hpp"
 
 /// Dissipation between pairs: (59), (60) of paper 003. What the pairs differ in is the jump of the velocity
 /// that they see; each has a file of its own (upwind_constant.hpp, upwind_reconstructed.hpp,

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/schemes/mixed/upwind.hpp"
+#include "lib/schemes/mixed/upwind.hpp"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/schemes/updated/pair_row.hpp"
-#include "plumbline/schemes/updated/point_fields.hpp"
-#include "plumbline/schemes/updated/updated.hpp"
+#include "lib/schemes/updated/pair_row.hpp"
+#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/updated/updated.hpp"
 
 /// One step of the balance that keeps both momenta: leapfrog with the geometry of x^{n+1/2} for the forces
 /// and of x^{n+1} for the rates. THEORY (17.5)-(17.8).

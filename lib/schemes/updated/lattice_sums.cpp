@@ -1,4 +1,4 @@
-#include "plumbline/schemes/updated/pair_sums.hpp"
+#include "lib/schemes/updated/pair_sums.hpp"
 
 namespace plumb {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "plumbline/core/pack.hpp"
-#include "plumbline/schemes/updated/pair_sums.hpp"
+#include "lib/core/pack.hpp"
+#include "lib/schemes/updated/pair_sums.hpp"
 
 namespace plumb {
 

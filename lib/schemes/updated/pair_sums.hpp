@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "plumbline/geometry/moving_neighbours.hpp"
-#include "plumbline/kernel/kernels/wendland_c2.hpp"
+#include "lib/geometry/moving_neighbours.hpp"
+#include "lib/kernel/kernels/wendland_c2.hpp"
 
 /// Sums over the pairs of the updated Lagrangian scheme. r_ij = x_i - x_j and v_ij = v_i - v_j as in paper
 /// 002; w = W'(r)/r, so that the gradient of the kernel is w r_ij. Rows are summed in ascending order.
@@ -52,12 +52,12 @@ inline double joint(double a, double b) {
 /// The inverse of M. Where its determinant falls below `least` it is blended with I, so that it stays finite;
 /// `kept` [0, 1] is then the share of the inverse, otherwise 1.
 template <int d>
-struct Correction {
+struct GuardedCorrection {
   Mat<d> B;
   double kept;
 };
 template <int d>
-Correction<d> correction_of(const Mat<d>& M, double least) {
+GuardedCorrection<d> correction_of(const Mat<d>& M, double least) {
   const double det = M.determinant();
   if (det >= least && det > 0) return {M.inverse(), 1};
   if (!(least > 0)) return {M.inverse(), 1};

@@ -1,5 +1,5 @@
 #pragma once
-#include "plumbline/core/field.hpp"
+#include "lib/core/field.hpp"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/schemes/updated/pair_row.hpp"
-#include "plumbline/schemes/updated/point_fields.hpp"
-#include "plumbline/schemes/updated/updated.hpp"
+#include "lib/schemes/updated/pair_row.hpp"
+#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/updated/updated.hpp"
 
 /// One acoustic step as paper 002 has it, with its misprints mended: half a drift, a kick with the geometry
 /// of the step's start or of the last advection step, rates with the new velocities, half a drift. THEORY

@@ -4,10 +4,10 @@
 #include <limits>
 #include <optional>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/laws.hpp"
-#include "plumbline/material/models/j2_logarithmic.hpp"
-#include "plumbline/material/return_mapping.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/laws.hpp"
+#include "lib/material/models/j2_logarithmic.hpp"
+#include "lib/material/return_mapping.hpp"
 
 namespace plumb {
 

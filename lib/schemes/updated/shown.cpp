@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "plumbline/schemes/updated/point_fields.hpp"
-#include "plumbline/schemes/updated/updated.hpp"
+#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/updated/updated.hpp"
 
 /// What the scheme shows of its state: of the end of the step, to which the conservative balance moves stress
 /// and density from the middle of it.

@@ -1,13 +1,13 @@
-#include "plumbline/schemes/updated/updated.hpp"
+#include "lib/schemes/updated/updated.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plumbline/geometry/position_text.hpp"
-#include "plumbline/schemes/updated/pair_row.hpp"
-#include "plumbline/schemes/updated/point_fields.hpp"
+#include "lib/geometry/position_text.hpp"
+#include "lib/schemes/updated/pair_row.hpp"
+#include "lib/schemes/updated/point_fields.hpp"
 
 namespace plumb {
 namespace {
@@ -201,7 +201,7 @@ void Updated<d>::correct() {
   Index blended = 0;
 #pragma omp parallel for schedule(static) reduction(+ : blended) if (count() >= particles_for_threads)
   for (Index i = 0; i < count(); ++i) {
-    const Correction<d> made = correction_of<d>(M_[i], least_det_[i]);
+    const GuardedCorrection<d> made = correction_of<d>(M_[i], least_det_[i]);
     B_[i] = made.B;
     blended += made.kept < 1;
   }

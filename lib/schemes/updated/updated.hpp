@@ -3,12 +3,12 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/schemes/apply.hpp"
-#include "plumbline/schemes/scheme.hpp"
-#include "plumbline/schemes/updated/pair_sums.hpp"
-#include "plumbline/schemes/updated/rate_law.hpp"
-#include "plumbline/schemes/updated/updated_options.hpp"
-#include "plumbline/schemes/updated/updated_state.hpp"
+#include "lib/schemes/apply.hpp"
+#include "lib/schemes/scheme.hpp"
+#include "lib/schemes/updated/pair_sums.hpp"
+#include "lib/schemes/updated/rate_law.hpp"
+#include "lib/schemes/updated/updated_options.hpp"
+#include "lib/schemes/updated/updated_state.hpp"
 
 namespace plumb {
 

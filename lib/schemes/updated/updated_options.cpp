@@ -1,9 +1,9 @@
-#include "plumbline/schemes/updated/updated_options.hpp"
+#include "lib/schemes/updated/updated_options.hpp"
 
 #include <fmt/format.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/section.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/section.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
-#include "plumbline/core/field.hpp"
-#include "plumbline/geometry/moving_neighbours.hpp"
-#include "plumbline/particles/role.hpp"
+#include "lib/core/field.hpp"
+#include "lib/geometry/moving_neighbours.hpp"
+#include "lib/particles/role.hpp"
 
 namespace plumb {
 

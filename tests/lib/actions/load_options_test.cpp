@@ -1,4 +1,4 @@
-#include "plumbline/actions/load_options.hpp"
+#include "lib/actions/load_options.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // The least-squares procedure of Eca and Hoekstra against closed forms, and against numbers of an independent
 // computation (normal equations in Python, the order by 2000 steps and golden sections), to their ten
 // decimals.
-#include "plumbline/convergence/least_squares.hpp"
+#include "lib/convergence/least_squares.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

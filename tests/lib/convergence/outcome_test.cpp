@@ -1,9 +1,9 @@
-#include "plumbline/convergence/outcome.hpp"
+#include "lib/convergence/outcome.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/verdict.hpp"
+#include "lib/convergence/words.hpp"
 
 namespace plumb {
 namespace {

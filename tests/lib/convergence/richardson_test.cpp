@@ -1,11 +1,11 @@
-#include "plumbline/convergence/richardson.hpp"
+#include "lib/convergence/richardson.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

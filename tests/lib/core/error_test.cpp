@@ -1,4 +1,4 @@
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 #include <gtest/gtest.h>
 

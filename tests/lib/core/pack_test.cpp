@@ -1,4 +1,4 @@
-#include "plumbline/core/pack.hpp"
+#include "lib/core/pack.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "plumbline/geometry/poisson_discs.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
+#include "lib/geometry/poisson_discs.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
 #include "tests/support/typed.hpp"
 
 namespace plumb {

@@ -1,12 +1,12 @@
 // Shapes, the Voronoi cells that they clip, and the clouds that fill them.
-#include "plumbline/geometry/clipped_cells.hpp"
+#include "lib/geometry/clipped_cells.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <numeric>
 
-#include "plumbline/geometry/shaped_cloud.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
 #include "tests/support/clouds.hpp"
 
 namespace plumb {

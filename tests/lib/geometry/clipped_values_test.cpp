@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
+#include "lib/geometry/clipped_cells.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
 
 namespace plumb {
 namespace {

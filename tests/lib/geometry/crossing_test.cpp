@@ -1,10 +1,10 @@
 // Whether segments meet, for all segments between the points of a small grid, against exact arithmetic of
 // whole numbers that goes another way: where their lines cross, or how far they overlap on a common line.
-#include "plumbline/geometry/crossing.hpp"
+#include "lib/geometry/crossing.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/geometry/shapes/cuboid.hpp"
+#include "lib/geometry/shapes/cuboid.hpp"
 
 namespace plumb {
 namespace {

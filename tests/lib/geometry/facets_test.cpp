@@ -1,5 +1,5 @@
 // Facets of a body's surface: they cover it, and both ways to find them agree on lattices.
-#include "plumbline/geometry/facets.hpp"
+#include "lib/geometry/facets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Images behind walls.
-#include "plumbline/geometry/ghosts.hpp"
+#include "lib/geometry/ghosts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "plumbline/geometry/neighbours.hpp"
+#include "lib/geometry/neighbours.hpp"
 #include "tests/support/clouds.hpp"
 
 namespace plumb {

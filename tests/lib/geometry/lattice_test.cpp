@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/typed.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "plumbline/geometry/moving_neighbours.hpp"
+#include "lib/geometry/moving_neighbours.hpp"
 
 namespace plumb {
 namespace {

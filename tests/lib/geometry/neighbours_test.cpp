@@ -1,9 +1,9 @@
 // The k-d tree against brute force, and what it must refuse.
-#include "plumbline/geometry/neighbours.hpp"
+#include "lib/geometry/neighbours.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/typed.hpp"
 

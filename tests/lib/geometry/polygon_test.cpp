@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "plumbline/compatible/clipped_surface.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
+#include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 
 namespace plumb {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/geometry/shape.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/geometry/shape.hpp"
 
 namespace plumb {
 namespace {

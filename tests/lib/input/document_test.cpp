@@ -1,8 +1,8 @@
-#include "plumbline/input/document.hpp"
+#include "lib/input/document.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/core/sentences.hpp"
+#include "lib/core/sentences.hpp"
 
 namespace plumb {
 namespace {

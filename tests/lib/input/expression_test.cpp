@@ -1,11 +1,11 @@
-#include "plumbline/input/expression.hpp"
+#include "lib/input/expression.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

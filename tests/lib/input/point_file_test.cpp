@@ -1,13 +1,13 @@
 // Points as other programs write them: tables, VTK's files, LAMMPS dumps.
-#include "plumbline/input/point_file.hpp"
+#include "lib/input/point_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lib/core/error.hpp"
+#include "lib/output/particles.hpp"
 #include "places.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/particles.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

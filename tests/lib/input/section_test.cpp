@@ -1,10 +1,10 @@
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "plumbline/input/document.hpp"
+#include "lib/input/document.hpp"
 
 namespace plumb {
 namespace {

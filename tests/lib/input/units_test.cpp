@@ -1,12 +1,12 @@
-#include "plumbline/input/units.hpp"
+#include "lib/input/units.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numbers>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/unit_names.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/unit_names.hpp"
 
 namespace plumb {
 namespace {

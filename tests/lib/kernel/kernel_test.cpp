@@ -1,5 +1,5 @@
 // Known values of the kernels, worked out by hand from the printed polynomials.
-#include "plumbline/kernel/kernel.hpp"
+#include "lib/kernel/kernel.hpp"
 
 #include <gtest/gtest.h>
 

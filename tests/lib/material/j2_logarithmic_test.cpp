@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "plumbline/material/models/j2_logarithmic.hpp"
+#include "lib/material/models/j2_logarithmic.hpp"
 
 namespace plumb {
 namespace {

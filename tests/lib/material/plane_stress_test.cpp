@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "plumbline/material/laws.hpp"
-#include "plumbline/material/tangent.hpp"
+#include "lib/material/laws.hpp"
+#include "lib/material/tangent.hpp"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "plumbline/material/laws.hpp"
+#include "lib/material/laws.hpp"
 
 namespace plumb {
 namespace {

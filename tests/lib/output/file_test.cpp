@@ -1,8 +1,8 @@
-#include "plumbline/output/file.hpp"
+#include "lib/output/file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "plumbline/output/json.hpp"
+#include "lib/output/json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plumbline/output/particles.hpp"
+#include "lib/output/particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
 #include "places.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
 #include "tests/support/program.hpp"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "plumbline/output/progress.hpp"
+#include "lib/output/progress.hpp"
 
 #include <gtest/gtest.h>
 

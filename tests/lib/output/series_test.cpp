@@ -1,4 +1,4 @@
-#include "plumbline/output/series.hpp"
+#include "lib/output/series.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 #include <array>
 #include <csignal>
 
-#include "plumbline/output/file.hpp"
+#include "lib/output/file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // A study that is ended keeps its finished parts, and the next sitting makes only the others.
-#include "plumbline/output/sitting.hpp"
+#include "lib/output/sitting.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plumbline/output/table.hpp"
+#include "lib/output/table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plumbline/output/terminal.hpp"
+#include "lib/output/terminal.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include <sstream>
 
-#include "plumbline/output/bar_line.hpp"
-#include "plumbline/output/progress.hpp"
+#include "lib/output/bar_line.hpp"
+#include "lib/output/progress.hpp"
 
 namespace plumb {
 namespace {

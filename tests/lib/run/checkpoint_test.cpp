@@ -1,14 +1,14 @@
 // A checkpoint gives back every bit, and a file with any fault is refused with a message.
-#include "plumbline/run/checkpoint.hpp"
+#include "lib/run/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/hdf5_image.hpp"
-#include "plumbline/output/sealed.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/hdf5_image.hpp"
+#include "lib/output/sealed.hpp"
 
 namespace plumb {
 namespace {
@@ -101,7 +101,8 @@ TEST(Checkpoint, WhatDoesNotFitTogetherIsRefused) {
     EXPECT_NE(message_of(bytes_of(c)).find(words), std::string::npos) << message_of(bytes_of(c));
   };
   refused([](Checkpoint& c) { c.dimension = 4; }, "dimension");
-  refused([](Checkpoint& c) { c.state.fields[2].values.resize(8); }, "displacement and stress differ in size");
+  refused([](Checkpoint& c) { c.state.fields[2].values.resize(8); },
+          "displacement and stress differ in size");
   refused([](Checkpoint& c) { c.state.fields[1].values.resize(4); }, "displacement and integrator differ");
   refused([](Checkpoint& c) { c.state.fields[1].values[1] = std::numeric_limits<double>::quiet_NaN(); },
           "not finite");

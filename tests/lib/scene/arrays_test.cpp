@@ -10,8 +10,8 @@
 #endif
 #endif
 
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

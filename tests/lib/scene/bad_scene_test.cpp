@@ -4,8 +4,8 @@
 #include <ostream>
 #include <string>
 
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

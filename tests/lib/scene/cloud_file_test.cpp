@@ -3,10 +3,10 @@
 
 #include <fstream>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/scene/cloud_file.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/core/error.hpp"
+#include "lib/scene/cloud_file.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {

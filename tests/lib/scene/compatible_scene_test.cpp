@@ -1,8 +1,8 @@
 // gradient = "compatible" and its section [compatible] in scenes.
 #include <gtest/gtest.h>
 
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
 #include "places.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
 namespace {

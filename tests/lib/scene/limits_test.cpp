@@ -1,8 +1,8 @@
-#include "plumbline/scene/limits.hpp"
+#include "lib/scene/limits.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/scene/read_scene.hpp"
+#include "lib/scene/read_scene.hpp"
 
 namespace plumb {
 namespace {

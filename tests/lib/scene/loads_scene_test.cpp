@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/input/scene_error.hpp"
-#include "plumbline/scene/held_motion.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/input/scene_error.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/held_motion.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
 
 namespace plumb {
 namespace {

@@ -1,11 +1,11 @@
 // Paths of one point against closed forms.
-#include "plumbline/scene/material_path.hpp"
+#include "lib/scene/material_path.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {

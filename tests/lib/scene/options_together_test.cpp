@@ -6,11 +6,11 @@
 
 #include <set>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/material/laws.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/solid/evaluate.hpp"
+#include "lib/material/laws.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/loops/evaluate.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/plain_body.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "plumbline/run/frame.hpp"
-#include "plumbline/run/output_fields.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "lib/run/frame.hpp"
+#include "lib/run/output_fields.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
 
 namespace plumb {
 namespace {

@@ -2,11 +2,11 @@
 // refuse.
 #include <gtest/gtest.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/names.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "lib/core/error.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/names.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
 
 namespace plumb {
 namespace {

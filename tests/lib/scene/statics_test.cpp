@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
 #include "places.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
 namespace {

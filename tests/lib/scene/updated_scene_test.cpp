@@ -1,10 +1,10 @@
 // Scenes by the updated scheme: the period of the plate of paper 002, and what a restart carries.
 #include <gtest/gtest.h>
 
+#include "lib/core/error.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
 #include "places.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
 
 namespace plumb {
 namespace {

@@ -1,13 +1,13 @@
-#include "plumbline/scene/warnings.hpp"
+#include "lib/scene/warnings.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 namespace plumb {
 namespace {

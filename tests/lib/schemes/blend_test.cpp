@@ -1,5 +1,5 @@
 // Runge-Kutta stages over the fields of any state.
-#include "plumbline/schemes/blend.hpp"
+#include "lib/schemes/blend.hpp"
 
 #include <gtest/gtest.h>
 

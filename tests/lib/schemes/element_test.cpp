@@ -1,14 +1,14 @@
 // Finite elements: what holds for every order, and values that another program of the same elements found.
-#include "plumbline/schemes/element/element.hpp"
+#include "lib/schemes/element/element.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/material/models/neo_hookean.hpp"
-#include "plumbline/schemes/implicit/equilibrium.hpp"
+#include "lib/core/error.hpp"
+#include "lib/material/models/neo_hookean.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
 #include "tests/lib/schemes/tangent_checks.hpp"
 #include "tests/support/mixed.hpp"

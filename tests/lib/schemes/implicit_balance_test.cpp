@@ -1,13 +1,13 @@
 // What acts from outside on the way to an equilibrium: dead loads, pressures that follow, held unknowns,
 // rigid motions that nothing holds.
-#include "plumbline/schemes/implicit/balance.hpp"
+#include "lib/schemes/implicit/balance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/schemes/implicit/supported.hpp"
+#include "lib/schemes/implicit/supported.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
 #include "tests/support/typed.hpp"
 

@@ -2,12 +2,12 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "plumbline/compatible/compatible.hpp"
-#include "plumbline/gradient/own_supports.hpp"
-#include "plumbline/hourglass/hourglass.hpp"
-#include "plumbline/hourglass/slope_hourglass.hpp"
-#include "plumbline/schemes/implicit/discrete_energy.hpp"
-#include "plumbline/solid/make_solid.hpp"
+#include "lib/schemes/implicit/discrete_energy.hpp"
+#include "lib/schemes/tlsph/bonds/own_supports.hpp"
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
+#include "lib/schemes/tlsph/loops/make_solid.hpp"
+#include "lib/schemes/tlsph/parts/hourglass.hpp"
+#include "lib/schemes/tlsph/parts/slope_hourglass.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/solids.hpp"
 
@@ -18,13 +18,13 @@ namespace plumb::testing {
 /// particle, as paper 004 (10)-(18) has them.
 struct TableChoice {
   std::string name = "improved";
-  Pair pair = Pair::W1;
+  Correction pair = Correction::W1;
 };
 
 inline const std::vector<TableChoice>& all_tables() {
-  static const std::vector<TableChoice> tables{{"improved", Pair::W1},   {"standard", Pair::W0},
-                                               {"standard", Pair::W1},   {"bond38", Pair::W1},
-                                               {"compatible", Pair::W1}, {"dual", Pair::none}};
+  static const std::vector<TableChoice> tables{{"improved", Correction::W1},   {"standard", Correction::W0},
+                                               {"standard", Correction::W1},   {"bond38", Correction::W1},
+                                               {"compatible", Correction::W1}, {"dual", Correction::none}};
   return tables;
 }
 
@@ -40,7 +40,7 @@ template <int d>
 BondOptions<d> table_options(const TableChoice& table, const Cloud<d>& cloud) {
   Scheme scheme{.pair = table.pair};
   if (table.name != "compatible" && table.name != "dual") scheme.estimator = table.name;
-  if (table.name == "dual") scheme = {.estimator = "standard", .pair = Pair::none, .beta = 1.5};
+  if (table.name == "dual") scheme = {.estimator = "standard", .pair = Correction::none, .beta = 1.5};
   BondOptions<d> options = testing::options<d>(scheme, cloud.spacing);
   if (table.name == "compatible") project_compatible(options);
   if (table.name == "dual") use_own_supports(options, varied_radii(cloud));

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "lib/geometry/clipped_cells.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
+#include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 #include "places.hpp"
-#include "plumbline/compatible/clipped_surface.hpp"
-#include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/schemes/implicit/equilibrium.hpp"
 
 namespace plumb {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 const std::string scenes = PLUMBLINE_SOURCE_DIR "/verification/scenes/";
 
 TlsphSimulation<2> equilibrium_of(const std::string& file, const std::vector<std::string>& set,
-                             StaticResult<2>* result = nullptr, const ImplicitOptions& options = {}) {
+                                  StaticResult<2>* result = nullptr, const ImplicitOptions& options = {}) {
   auto s = make_tlsph<2>(read_scene(scenes + file, set));
   auto found = find_equilibrium<2>(s.solid, s.actions, s.control.end_time.value(), options, s.state);
   EXPECT_TRUE(found.completed()) << found.failure->in_words();

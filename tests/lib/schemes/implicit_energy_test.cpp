@@ -2,8 +2,8 @@
 // table and term; momenta.
 #include <gtest/gtest.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/rigid_motions.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/rigid_motions.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
 #include "tests/lib/schemes/tangent_checks.hpp"
 #include "tests/support/typed.hpp"

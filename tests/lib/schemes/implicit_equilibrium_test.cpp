@@ -1,19 +1,19 @@
 // Equilibria against exact ones: patch tests under dead loads and pressures, quadratic convergence, supports
 // that move, and what is said when there is no equilibrium.
-#include "plumbline/schemes/implicit/equilibrium.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/scene_error.hpp"
-#include "plumbline/material/models/neo_hookean.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/solid/kinematics.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/scene_error.hpp"
+#include "lib/material/models/neo_hookean.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/loops/kinematics.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb {

@@ -1,13 +1,13 @@
 // The implicit midpoint rule: momenta, order, and what it is exact for.
-#include "plumbline/schemes/implicit/midpoint.hpp"
+#include "lib/schemes/implicit/midpoint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/convergence/order_fit.hpp"
-#include "plumbline/diagnostics/measures.hpp"
+#include "lib/convergence/order_fit.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
 
 namespace plumb {

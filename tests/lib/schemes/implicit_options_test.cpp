@@ -1,9 +1,9 @@
 // The section [implicit] of a scene: what it sets, and what it refuses.
-#include "plumbline/schemes/implicit/implicit_options.hpp"
+#include "lib/schemes/implicit/implicit_options.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
 
 namespace plumb {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "plumbline/boundary/supports.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/gradient/each_bond.hpp"
-#include "plumbline/gradient/own_supports.hpp"
-#include "plumbline/hourglass/slope_hourglass.hpp"
-#include "plumbline/schemes/implicit/equilibrium.hpp"
-#include "plumbline/solid/kinematics.hpp"
+#include "lib/core/error.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
+#include "lib/schemes/tlsph/bonds/each_bond.hpp"
+#include "lib/schemes/tlsph/bonds/own_supports.hpp"
+#include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/loops/kinematics.hpp"
+#include "lib/schemes/tlsph/parts/slope_hourglass.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
 
 namespace plumb {
@@ -24,7 +24,8 @@ constexpr double digits = 1e-11;
 template <int d>
 Solid<d> dual_body(Cloud<d> cloud, const std::vector<double>& radius, const std::string& law,
                    const Elastic& elastic, double alpha = 0) {
-  BondOptions<d> options = testing::options<d>({.estimator = "standard", .pair = Pair::none}, cloud.spacing);
+  BondOptions<d> options =
+      testing::options<d>({.estimator = "standard", .pair = Correction::none}, cloud.spacing);
   options.kernel = kernel_named<d>("quintic");
   use_own_supports(options, radius);
   Solid<d> solid = make_solid<d>(std::move(cloud), law, elastic, options);

@@ -1,8 +1,8 @@
 // What acts from outside on a body of the scheme of paper 003, against mechanics.
 #include <gtest/gtest.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/facets.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/facets.hpp"
 #include "tests/support/mixed.hpp"
 
 namespace plumb::testing {

@@ -3,9 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/gradient/each_bond.hpp"
-#include "plumbline/schemes/tensors.hpp"
+#include "lib/core/error.hpp"
+#include "lib/schemes/tensors.hpp"
+#include "lib/schemes/tlsph/bonds/each_bond.hpp"
 #include "tests/support/mixed.hpp"
 
 namespace plumb::testing {

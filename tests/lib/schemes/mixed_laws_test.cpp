@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "tests/support/mixed.hpp"
 
 namespace plumb::testing {

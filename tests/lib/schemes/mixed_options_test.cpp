@@ -1,10 +1,10 @@
 // The section [mixed], and what the scheme refuses.
-#include "plumbline/schemes/mixed/mixed_options.hpp"
+#include "lib/schemes/mixed/mixed_options.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/section.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/section.hpp"
 #include "tests/support/mixed.hpp"
 
 namespace plumb::testing {

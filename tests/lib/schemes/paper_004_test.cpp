@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "plumbline/geometry/cloud.hpp"
-#include "plumbline/kernel/kernel.hpp"
+#include "lib/geometry/cloud.hpp"
+#include "lib/kernel/kernel.hpp"
 
 namespace plumb {
 namespace {

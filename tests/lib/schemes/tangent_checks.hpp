@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/material/law.hpp"
-#include "plumbline/schemes/implicit/discrete_energy.hpp"
+#include "lib/material/law.hpp"
+#include "lib/schemes/implicit/discrete_energy.hpp"
 #include "tests/support/clouds.hpp"
 
 /// Residual and tangent are the first and second derivative of the energy, whatever has the energy.

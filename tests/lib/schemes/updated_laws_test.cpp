@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/schemes/updated/point_fields.hpp"
+#include "lib/core/error.hpp"
+#include "lib/schemes/updated/point_fields.hpp"
 #include "tests/support/updated.hpp"
 
 namespace plumb::testing {

@@ -2,7 +2,7 @@
 // errors.
 #include <gtest/gtest.h>
 
-#include "plumbline/schemes/updated/point_fields.hpp"
+#include "lib/schemes/updated/point_fields.hpp"
 #include "tests/support/updated.hpp"
 
 namespace plumb::testing {
@@ -180,7 +180,7 @@ TEST(UpdatedGuard, BlendsWithoutAJump) {
   Mat<2> M;
   M << 0.5, 0.1, 0.1, 0.3;  // det = 0.14
   EXPECT_EQ(correction_of<2>(M, 0.1).kept, 1);
-  const Correction<2> half = correction_of<2>(M, 0.28);
+  const GuardedCorrection<2> half = correction_of<2>(M, 0.28);
   EXPECT_NEAR(half.kept, 0.5, 1e-15);
   EXPECT_NEAR((half.B - 0.5 * M.inverse() - 0.5 * Mat<2>::Identity()).norm(), 0, 1e-14);
   EXPECT_NEAR((correction_of<2>(M, 0.14 * (1 + 1e-9)).B - M.inverse()).norm(), 0, 1e-7);

@@ -1,11 +1,11 @@
 // The growth that dissipation leaves, or makes, by iteration: on small bodies against all eigenvalues.
-#include "plumbline/spectrum/damped_growth.hpp"
+#include "lib/spectrum/damped_growth.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 namespace plumb {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <iostream>
 
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 namespace plumb {
 namespace {

@@ -1,10 +1,10 @@
-#include "plumbline/spectrum/krylov.hpp"
+#include "lib/spectrum/krylov.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "plumbline/spectrum/arnoldi.hpp"
+#include "lib/spectrum/arnoldi.hpp"
 
 namespace plumb {
 namespace {

@@ -1,10 +1,10 @@
-#include "plumbline/stability/stability_study.hpp"
+#include "lib/stability/stability_study.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {

@@ -1,11 +1,11 @@
 // What counts as unstable, and the measure of spurious modes on motions with known values.
-#include "plumbline/stability/trial.hpp"
+#include "lib/stability/trial.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "plumbline/diagnostics/measures.hpp"
-#include "plumbline/scene/read_scene.hpp"
+#include "lib/measures/measures.hpp"
+#include "lib/scene/read_scene.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb {

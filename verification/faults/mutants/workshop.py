@@ -58,7 +58,7 @@ class Workshop:
 
     def targets(self):
         rooms = {p.relative_to(self.root / "tests").parts for p in (self.root / "tests").rglob("*_test.cpp")}
-        names = {"tests_" + "_".join(r[:2] if r[0] == "lib" else r[:1]) for r in rooms}
+        names = {"tests_" + "_".join(r[:4] if r[:3] == ("lib", "schemes", "tlsph") else r[:2] if r[0] == "lib" else r[:1]) for r in rooms}
         return [n for n in [*sorted(names - {"tests_fuzz"}), "studies", "plumb"] if n not in self.skip]
 
     def programs(self):

@@ -1,4 +1,4 @@
-#include "plumb/bench/cases.hpp"
+#include "verification/plumb/bench/cases.hpp"
 
 #include <omp.h>
 
@@ -8,11 +8,11 @@
 #include <cmath>
 #include <ctime>
 
-#include "plumb/run/inventory.hpp"
-#include "plumbline/run/traffic.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/run/traffic.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "verification/plumb/run/inventory.hpp"
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 namespace {
 
 struct Clock {
@@ -138,4 +138,4 @@ Speed measure(const Case& c, long particles, int threads, int repeats, double se
                                 : measure_in<3>(c, particles, threads, repeats, seconds);
 }
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene.hpp"
+#include "lib/scene/scene.hpp"
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 
 /// A scheme on a kind of cloud, whose speed is measured at any size.
 struct Case {
@@ -32,4 +32,4 @@ struct Speed {
 /// Runs the case with about `particles` particles for about `seconds` CPU seconds per repeat.
 Speed measure(const Case& c, long particles, int threads, int repeats, double seconds);
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

@@ -1,4 +1,4 @@
-#include "plumb/bench/kernels.hpp"
+#include "verification/plumb/bench/kernels.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <memory>
 
-#include "plumbline/material/models/neo_hookean.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/material/models/neo_hookean.hpp"
+#include "lib/scene/tlsph.hpp"
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 namespace {
 
 constexpr double jitter = 0.2;
@@ -166,4 +166,4 @@ std::vector<KernelTime> measure_kernels(long particles, double seconds) {
   return collector.times;
 }
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

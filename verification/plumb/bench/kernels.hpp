@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 
 /// One loop of the solver on its own, in 3D at 26 neighbours, on one thread.
 struct KernelTime {
@@ -16,4 +16,4 @@ struct KernelTime {
 /// `seconds` CPU seconds.
 std::vector<KernelTime> measure_kernels(long particles, double seconds);
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

@@ -1,13 +1,13 @@
-#include "plumb/bench/machine.hpp"
+#include "verification/plumb/bench/machine.hpp"
 
 #include <omp.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "plumbline/core/pack.hpp"
+#include "lib/core/pack.hpp"
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 namespace {
 
 constexpr int repeats = 8;
@@ -64,4 +64,4 @@ Machine measure_machine(int threads) {
   return {threads, fma_rate(threads), triad_rate(threads)};
 }
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

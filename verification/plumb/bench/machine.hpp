@@ -1,6 +1,6 @@
 #pragma once
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 
 /// What a number of cores does when nothing stands in its way: the limits that a solver is held against.
 struct Machine {
@@ -13,4 +13,4 @@ struct Machine {
 /// Measures both in wall time, the best of some tries, in about half a second.
 Machine measure_machine(int threads);
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

@@ -1,9 +1,9 @@
-#include "plumb/bench/results.hpp"
+#include "verification/plumb/bench/results.hpp"
 
 #include <cmath>
 #include <string>
 
-namespace plumb::bench {
+namespace plumb::app::bench {
 
 Json json_of(const std::map<int, Machine>& machines) {
   const Machine& one = machines.at(1);
@@ -72,4 +72,4 @@ Json exponents_of(const Json& rows, double (*cost)(const Json& row)) {
   return result;
 }
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

@@ -2,11 +2,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "plumb/bench/cases.hpp"
-#include "plumb/bench/machine.hpp"
+#include "verification/plumb/bench/cases.hpp"
+#include "verification/plumb/bench/machine.hpp"
 
 /// What `plumb bench` writes, from what it has measured.
-namespace plumb::bench {
+namespace plumb::app::bench {
 
 using Json = nlohmann::ordered_json;
 
@@ -26,4 +26,4 @@ double of_the_setup(const Json& row);
 /// Slope of log(cost) over log(N), by case, where there are two sizes or more on one thread.
 Json exponents_of(const Json& rows, double (*cost)(const Json& row));
 
-}  // namespace plumb::bench
+}  // namespace plumb::app::bench

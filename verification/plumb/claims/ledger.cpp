@@ -1,4 +1,4 @@
-#include "plumb/claims/ledger.hpp"
+#include "verification/plumb/claims/ledger.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <array>
 #include <set>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/section.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/section.hpp"
 
-namespace plumb::claims {
+namespace plumb::app::claims {
 namespace {
 
 constexpr std::array<std::string_view, 4> names = {"reproduced", "contradicted", "ambiguous", "open"};
@@ -121,4 +121,4 @@ std::vector<Claim> read_ledger(const std::filesystem::path& folder) {
   return all;
 }
 
-}  // namespace plumb::claims
+}  // namespace plumb::app::claims

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The ledger of the papers' claims: verification/claims/*.toml as values.
-namespace plumb::claims {
+namespace plumb::app::claims {
 
 /// What became of a claim. It follows from the readings by status_of(), and is also written in the ledger, so
 /// that a change of a number that changes a status is seen.
@@ -58,4 +58,4 @@ Status status_of(const Claim& claim);
 /// and line for whatever is wrong in them, a status that does not follow from the values included.
 std::vector<Claim> read_ledger(const std::filesystem::path& folder);
 
-}  // namespace plumb::claims
+}  // namespace plumb::app::claims

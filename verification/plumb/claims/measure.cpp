@@ -1,4 +1,4 @@
-#include "plumb/claims/measure.hpp"
+#include "verification/plumb/claims/measure.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
 
-namespace plumb::claims {
+namespace plumb::app::claims {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -164,4 +164,4 @@ CheckResult check(const std::vector<Claim>& claims, bool long_too, const RunComm
   return result;
 }
 
-}  // namespace plumb::claims
+}  // namespace plumb::app::claims

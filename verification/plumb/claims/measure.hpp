@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "plumb/claims/ledger.hpp"
+#include "verification/plumb/claims/ledger.hpp"
 
-namespace plumb::claims {
+namespace plumb::app::claims {
 
 /// The entry of a result at a path of steps between slashes: a key ("energy/relative_change"), an index
 /// ("levels/3/l2"), or the first object of a list that has the given entries
@@ -40,4 +40,4 @@ struct CheckResult {
 CheckResult check(const std::vector<Claim>& claims, bool long_too, const RunCommand& run,
                   const std::function<void(double, const std::string&)>& progress);
 
-}  // namespace plumb::claims
+}  // namespace plumb::app::claims

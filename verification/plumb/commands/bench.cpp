@@ -6,16 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/bench/cases.hpp"
-#include "plumb/bench/kernels.hpp"
-#include "plumb/bench/machine.hpp"
-#include "plumb/bench/results.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/run/sittings.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/core/error.hpp"
+#include "lib/core/error.hpp"
+#include "verification/plumb/bench/cases.hpp"
+#include "verification/plumb/bench/kernels.hpp"
+#include "verification/plumb/bench/machine.hpp"
+#include "verification/plumb/bench/results.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/run/sittings.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -162,4 +162,4 @@ void add_bench(CLI::App& program, Session& session) {
   add_sitting_options(command, options->sitting);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

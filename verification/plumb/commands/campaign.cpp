@@ -5,19 +5,19 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "plumb/commands.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/foreign/campaign_run.hpp"
-#include "plumb/foreign/judge_particles.hpp"
-#include "plumb/run/interrupt.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/table.hpp"
 #include "reports/picture.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/foreign/campaign_run.hpp"
+#include "verification/plumb/foreign/judge_particles.hpp"
+#include "verification/plumb/run/interrupt.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -189,4 +189,4 @@ void add_campaign(CLI::App& program, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -8,17 +8,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/outcome.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/terminal.hpp"
 #include "places.hpp"
-#include "plumb/claims/measure.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/run/kept_folder.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/terminal.hpp"
 #include "reports/run/store.hpp"
+#include "verification/plumb/claims/measure.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/run/kept_folder.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -178,4 +178,4 @@ void add_claims(CLI::App& program, Session& session) {
       ->type_name("DIR");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -5,15 +5,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "plumb/commands.hpp"
-#include "plumb/foreign/compare_runs.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/table.hpp"
 #include "reports/picture.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/foreign/compare_runs.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -28,7 +28,7 @@ Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
-void draw(const Session& session, const std::vector<Difference>& all, double size) {
+void draw_differences(const Session& session, const std::vector<Difference>& all, double size) {
   reports::Picture picture;
   picture.title = "difference over the largest displacement";
   picture.x = {"time", "s"};
@@ -76,7 +76,7 @@ int compare_action(const Session& session, const CompareOptions& options) {
                       {"largest_relative_l2", optional_json(relative)},
                       {"rows", rows},
                       {"status", status}});
-  if (!session.plot.empty()) draw(session, all, size > 0 ? size : 1);
+  if (!session.plot.empty()) draw_differences(session, all, size > 0 ? size : 1);
   return status == "fail" ? 1 : 0;
 }
 
@@ -113,4 +113,4 @@ void add_compare(CLI::App& program, Session& session) {
       ->check(CLI::IsMember({"reference", "current"}));
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

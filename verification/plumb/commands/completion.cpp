@@ -1,13 +1,13 @@
-#include "plumb/shell/completion.hpp"
+#include "verification/plumb/shell/completion.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/session.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// `plumb completion bash|zsh`: scripts for the shells, from the same texts as the help.
 void add_completion(CLI::App& program, Session& session) {
@@ -25,4 +25,4 @@ void add_completion(CLI::App& program, Session& session) {
   add({"zsh", "completion script for zsh", "plumb completion zsh > _plumb"}, &zsh_completion);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -5,20 +5,20 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/data_folder.hpp"
-#include "plumb/explain/account.hpp"
-#include "plumb/explain/cost.hpp"
-#include "plumb/explain/setup.hpp"
-#include "plumb/explain/tell.hpp"
-#include "plumb/run/inventory.hpp"
-#include "plumb/run/scene_options.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/output/terminal.hpp"
-#include "plumbline/scene/limits.hpp"
-#include "plumbline/scene/scheme_simulation.hpp"
+#include "lib/output/terminal.hpp"
+#include "lib/scene/limits.hpp"
+#include "lib/scene/scheme_simulation.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/data_folder.hpp"
+#include "verification/plumb/explain/account.hpp"
+#include "verification/plumb/explain/cost.hpp"
+#include "verification/plumb/explain/setup.hpp"
+#include "verification/plumb/explain/tell.hpp"
+#include "verification/plumb/run/inventory.hpp"
+#include "verification/plumb/run/scene_options.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -192,4 +192,4 @@ void add_explain(CLI::App& program, Session& session) {
   add_scene_options(command, *options);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

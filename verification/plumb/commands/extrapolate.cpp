@@ -5,16 +5,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "plumb/commands.hpp"
-#include "plumb/extrapolation_output.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/convergence/richardson.hpp"
-#include "plumbline/convergence/verdict.hpp"
-#include "plumbline/core/error.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/richardson.hpp"
+#include "lib/convergence/verdict.hpp"
+#include "lib/core/error.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/extrapolation_output.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -105,4 +105,4 @@ void add_extrapolate(CLI::App& program, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

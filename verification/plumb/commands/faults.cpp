@@ -6,13 +6,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lib/core/error.hpp"
+#include "lib/output/terminal.hpp"
 #include "places.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/terminal.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -37,7 +37,7 @@ Json read_sample(const std::string& file) {
   return sample;
 }
 
-/// "lib/time: 9 of 12 caught, 75.0 % [46.8, 91.1]".
+/// "lib/schemes/tlsph/time: 9 of 12 caught, 75.0 % [46.8, 91.1]".
 std::string sample_line(const Json& row, const std::string& name) {
   const int killed = row.at("killed").get<int>(), judged = killed + row.at("alive").get<int>();
   std::string line = fmt::format("{:<22} {:>3} of {:>3} caught", name, killed, judged);
@@ -113,4 +113,4 @@ void add_faults(CLI::App& program, Session& session) {
       ->capture_default_str();
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

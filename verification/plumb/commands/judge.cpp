@@ -4,17 +4,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "plumb/commands.hpp"
-#include "plumb/extrapolation_output.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/foreign/judge_particles.hpp"
-#include "plumb/judged_columns.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/document.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/document.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/extrapolation_output.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/foreign/judge_particles.hpp"
+#include "verification/plumb/judged_columns.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -133,4 +133,4 @@ void add_judge(CLI::App& program, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/data_folder.hpp"
-#include "plumb/named_parts.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/material/law.hpp"
-#include "plumbline/output/terminal.hpp"
+#include "lib/material/law.hpp"
+#include "lib/output/terminal.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/data_folder.hpp"
+#include "verification/plumb/named_parts.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -113,4 +113,4 @@ void add_list(CLI::App& program, Session& session) {
               action);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,14 +1,14 @@
-#include "plumb/shell/manual.hpp"
+#include "verification/plumb/shell/manual.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/provenance.hpp"
-#include "plumb/session.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/provenance.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// `plumb manual`: the manual page, from the same texts as the help.
 void add_manual(CLI::App& program, Session& session) {
@@ -23,4 +23,4 @@ void add_manual(CLI::App& program, Session& session) {
       });
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -4,12 +4,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "plumb/commands.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/scene/material_path.hpp"
+#include "lib/scene/material_path.hpp"
 #include "reports/picture.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -128,4 +128,4 @@ void add_material(CLI::App& program, Session& session) {
       ->type_name("N");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

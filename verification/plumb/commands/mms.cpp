@@ -5,19 +5,20 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/norm_units.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/output/table.hpp"
 #include "mms/manufactured.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/foreign/export_solution.hpp"
-#include "plumb/mms_cost.hpp"
-#include "plumb/mms_output.hpp"
-#include "plumb/run/sittings.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/output/table.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/drawing.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/foreign/export_solution.hpp"
+#include "verification/plumb/mms_cost.hpp"
+#include "verification/plumb/mms_output.hpp"
+#include "verification/plumb/run/sittings.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -33,12 +34,6 @@ struct MmsOptions {
   SittingOptions sitting;
   ExportOptions exported;
 };
-
-std::vector<std::string> solution_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
-  return names;
-}
 
 int list(const Session& session) {
   for (const auto& entry : mms::solution_list()) {
@@ -68,20 +63,13 @@ int check(const Session& session, const MmsOptions& options) {
   return exit_code_of(status);
 }
 
-void draw(const Session& session, const reports::Picture& picture) {
-  if (session.plot.empty()) return;
-  for (const auto& dropped : reports::save(picture, session.plot))
-    std::cerr << fmt::format("plumb: warning: {}: {} points not drawn, {}\n", dropped.series, dropped.points,
-                             dropped.why);
-}
-
 /// One sitting of what is asked for.
 template <class Work>
 auto in_one_sitting(const Session& session, const MmsOptions& options, const std::string& mode, Work&& work) {
   std::vector<std::string> choices{mode};
   choices.insert(choices.end(), options.overrides.begin(), options.overrides.end());
   choices.insert(choices.end(), options.vary.begin(), options.vary.end());
-  return plumb::in_one_sitting(session, options.sitting, options.studies, choices, work);
+  return app::in_one_sitting(session, options.sitting, options.studies, choices, work);
 }
 
 /// A study file serves both kinds of refinement, and what it says of the other one is announced. What the
@@ -101,7 +89,7 @@ void require_used_by_temporal(const std::vector<std::string>& overrides) {
 
 int temporal(const Session& session, const MmsOptions& options) {
   require_used_by_temporal(options.overrides);
-  const Study study = read_study(options.studies.front(), options.overrides, solution_names());
+  const Study study = read_study(options.studies.front(), options.overrides, mms::solution_names());
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "temporal", [&](Sitting& sitting) {
     return mms::run_temporal(study, told(progress), sitting);
@@ -123,7 +111,7 @@ int temporal(const Session& session, const MmsOptions& options) {
 }
 
 int work_precision(const Session& session, const MmsOptions& options) {
-  const auto variants = variants_of(options.studies, options.vary, options.overrides, solution_names());
+  const auto variants = variants_of(options.studies, options.vary, options.overrides, mms::solution_names());
   Progress progress("work-precision", session.progress());
   const auto result = in_one_sitting(session, options, "work-precision", [&](Sitting& sitting) {
     return mms::work_precision(variants, options.repeats, {1e-2, 1e-3, 1e-4}, told(progress), sitting);
@@ -145,7 +133,7 @@ int study(const Session& session, const MmsOptions& options) {
   if (options.studies.size() != 1)
     throw InputError("several study files", "a refinement study is one",
                      "Add --work-precision to compare them.");
-  const Study study = read_study(options.studies.front(), options.overrides, solution_names());
+  const Study study = read_study(options.studies.front(), options.overrides, mms::solution_names());
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "study", [&](Sitting& sitting) {
     return mms::run_study(study, told(progress), sitting);
@@ -245,4 +233,4 @@ void add_mms(CLI::App& program, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/session.hpp"
-#include "plumb/templates.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/session.hpp"
+#include "verification/plumb/templates.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// The template with the name of the thing and of its file put in.
@@ -75,4 +75,4 @@ void add_new(CLI::App& program, Session& session) {
   }
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

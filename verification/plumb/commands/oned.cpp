@@ -7,16 +7,16 @@
 
 #include "oned/explorer.hpp"
 #include "oned/response.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/oned_account.hpp"
-#include "plumb/oned_options.hpp"
-#include "plumb/oned_output.hpp"
-#include "plumb/oned_pictures.hpp"
-#include "plumb/oned_study.hpp"
-#include "plumb/row_output.hpp"
-#include "plumb/session.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/drawing.hpp"
+#include "verification/plumb/oned_account.hpp"
+#include "verification/plumb/oned_options.hpp"
+#include "verification/plumb/oned_pictures.hpp"
+#include "verification/plumb/oned_study.hpp"
+#include "verification/plumb/row_output.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -147,4 +147,4 @@ void add_oned(CLI::App& program, Session& session) {
   add_account(group, session);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

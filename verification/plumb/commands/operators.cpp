@@ -6,15 +6,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/outcome.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/operators.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
 #include "reports/picture.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -119,4 +119,4 @@ void add_operators(CLI::App& program, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -7,20 +7,20 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "lib/core/sentences.hpp"
+#include "lib/input/section.hpp"
+#include "lib/output/file.hpp"
+#include "lib/scene/material_path.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
+#include "lib/scene/study.hpp"
 #include "mms/manufactured.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/run/scene_options.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/core/sentences.hpp"
-#include "plumbline/input/section.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/scene/material_path.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
-#include "plumbline/scene/study.hpp"
 #include "reports/run/process.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/run/scene_options.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -62,12 +62,6 @@ std::string with(const BadInput& bad, const std::map<std::string, std::string>& 
   return text.replace(place, bad.line.size(), bad.instead);
 }
 
-std::vector<std::string> solution_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
-  return names;
-}
-
 /// Whether the text is the expected one, in which "<any>" stands for whatever depends on the machine.
 bool fits(const std::string& said, const std::string& expected) {
   const std::string any = "<any>";
@@ -86,7 +80,7 @@ bool fits(const std::string& said, const std::string& expected) {
 std::string refusal_of_file(const BadInput& bad, const std::string& text) {
   try {
     if (bad.base == "study") {
-      parse_study(text, "study.toml", bad.overrides, solution_names());
+      parse_study(text, "study.toml", bad.overrides, mms::solution_names());
       return "";
     }
     if (bad.base == "path") {
@@ -176,4 +170,4 @@ void add_refusals(CLI::App& program, Session& session) {
   command.add_option("TABLE", *table, "the table (.toml)")->required()->type_name("FILE");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

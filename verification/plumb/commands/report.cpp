@@ -8,16 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "plumb/code.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/data_folder.hpp"
-#include "plumb/provenance.hpp"
-#include "plumb/run/interrupt.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/core/error.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/core/error.hpp"
+#include "verification/plumb/code.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/data_folder.hpp"
+#include "verification/plumb/provenance.hpp"
+#include "verification/plumb/run/interrupt.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -100,4 +100,4 @@ void add_report(CLI::App& program, Session& session) {
   command.add_option("--root", options->root, "folder that holds verification/scenes")->type_name("DIR");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -6,19 +6,19 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/provenance.hpp"
-#include "plumb/run/advance.hpp"
-#include "plumb/run/interrupt.hpp"
-#include "plumb/run/result_folder.hpp"
-#include "plumb/run/scene_options.hpp"
-#include "plumb/run/summary.hpp"
-#include "plumb/session.hpp"
-#include "plumb/usage.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/run/frame.hpp"
+#include "lib/output/file.hpp"
+#include "lib/run/frame.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/provenance.hpp"
+#include "verification/plumb/run/advance.hpp"
+#include "verification/plumb/run/interrupt.hpp"
+#include "verification/plumb/run/result_folder.hpp"
+#include "verification/plumb/run/scene_options.hpp"
+#include "verification/plumb/run/summary.hpp"
+#include "verification/plumb/session.hpp"
+#include "verification/plumb/usage.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 struct RunOptions {
@@ -176,4 +176,4 @@ void add_run(CLI::App& program, Session& session) {
       ->excludes(resume);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumbline/spectrum/spectrum.hpp"
+#include "lib/spectrum/spectrum.hpp"
 
 #include <fmt/format.h>
 
@@ -9,21 +9,21 @@
 #include <numbers>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/session.hpp"
-#include "plumb/spectrum_output.hpp"
-#include "plumb/symbol_output.hpp"
-#include "plumbline/core/sentences.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/run/checkpoint.hpp"
-#include "plumbline/scene/loaded_body.hpp"
-#include "plumbline/scene/read_scene.hpp"
-#include "plumbline/scene/simulation.hpp"
-#include "plumbline/scene/tlsph.hpp"
-#include "plumbline/schemes/implicit/loaded_vibrations.hpp"
+#include "lib/core/sentences.hpp"
+#include "lib/output/file.hpp"
+#include "lib/run/checkpoint.hpp"
+#include "lib/scene/loaded_body.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "lib/schemes/implicit/loaded_vibrations.hpp"
 #include "reports/modes.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/session.hpp"
+#include "verification/plumb/spectrum_output.hpp"
+#include "verification/plumb/symbol_output.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -280,4 +280,4 @@ void add_spectrum(CLI::App& program, Session& session) {
       ->capture_default_str();
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -10,18 +10,18 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumb/commands.hpp"
-#include "plumb/provenance.hpp"
-#include "plumb/run/interrupt.hpp"
-#include "plumb/run/kept_folder.hpp"
-#include "plumb/run/trial_cache.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/scene/readers.hpp"
-#include "plumbline/stability/edge.hpp"
-#include "plumbline/stability/stability_study.hpp"
+#include "lib/output/file.hpp"
+#include "lib/scene/readers.hpp"
+#include "lib/stability/edge.hpp"
+#include "lib/stability/stability_study.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/provenance.hpp"
+#include "verification/plumb/run/interrupt.hpp"
+#include "verification/plumb/run/kept_folder.hpp"
+#include "verification/plumb/run/trial_cache.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -215,4 +215,4 @@ void add_stability(CLI::App& program, Session& session) {
       ->type_name("DIR");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

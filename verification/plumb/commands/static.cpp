@@ -4,17 +4,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lib/convergence/norm_units.hpp"
+#include "lib/convergence/outcome.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/static_study.hpp"
-#include "plumb/commands.hpp"
-#include "plumb/fit_text.hpp"
-#include "plumb/mms_output.hpp"
-#include "plumb/run/sittings.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/convergence/outcome.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/fit_text.hpp"
+#include "verification/plumb/mms_output.hpp"
+#include "verification/plumb/run/sittings.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -89,4 +89,4 @@ void add_static(CLI::App& program, Session& session) {
   point_to_verdicts(command);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "plumb/commands.hpp"
-#include "plumb/session.hpp"
-#include "plumb/usage.hpp"
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/norm_units.hpp"
+#include "lib/convergence/words.hpp"
+#include "verification/plumb/commands.hpp"
+#include "verification/plumb/session.hpp"
+#include "verification/plumb/usage.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 int verdicts(const Session& session) {
@@ -36,4 +36,4 @@ void add_verdicts(CLI::App& program, Session& session) {
       [&session] { return verdicts(session); });
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,14 +1,14 @@
-#include "plumb/explain/account.hpp"
+#include "verification/plumb/explain/account.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "plumb/parts.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/kernel/kernel.hpp"
+#include "lib/core/error.hpp"
+#include "lib/kernel/kernel.hpp"
+#include "verification/plumb/parts.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// The statement about a part of a catalogue; `more` equations go in front of its own.
@@ -251,4 +251,4 @@ template std::vector<Statement> account_of<3>(const Scene&, const TlsphSimulatio
 template Statement step_reason<2>(const Scene&, const TlsphSimulation<2>&, double);
 template Statement step_reason<3>(const Scene&, const TlsphSimulation<3>&, double);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/tlsph.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// What the scene solves, from the body to its supports, with the equations. Names of the catalogues are
 /// explained by the docstrings of their headers.
@@ -15,4 +15,4 @@ std::vector<Statement> account_of(const Scene& scene, const TlsphSimulation<d>& 
 template <int d>
 Statement step_reason(const Scene& scene, const TlsphSimulation<d>& simulation, double dt);
 
-}  // namespace plumb
+}  // namespace plumb::app

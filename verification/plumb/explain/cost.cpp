@@ -1,4 +1,4 @@
-#include "plumb/explain/cost.hpp"
+#include "verification/plumb/explain/cost.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -7,11 +7,11 @@
 #include <ctime>
 #include <type_traits>
 
-#include "plumb/run/inventory.hpp"
-#include "plumb/run/scene_options.hpp"
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/tlsph.hpp"
+#include "verification/plumb/run/inventory.hpp"
+#include "verification/plumb/run/scene_options.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// The scene's body cut to at most 1500 particles, or 300 where the set-up solves a system; free and at rest.
@@ -128,4 +128,4 @@ Costs measure_costs(const Scene& scene) {
   return costs;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene.hpp"
+#include "lib/scene/scene.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// What one optional part costs a scene, or spares it if it is left out. Measured: a body of the same kind,
 /// small and free, is built and stepped with the part and without it.
@@ -25,4 +25,4 @@ struct Costs {
 };
 Costs measure_costs(const Scene& scene);
 
-}  // namespace plumb
+}  // namespace plumb::app

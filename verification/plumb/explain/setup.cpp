@@ -1,12 +1,12 @@
-#include "plumb/explain/setup.hpp"
+#include "verification/plumb/explain/setup.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "plumbline/scene/compatible_table.hpp"
+#include "lib/scene/compatible_table.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// CPU-s = seconds (particles / at)^exponent.
@@ -45,4 +45,4 @@ std::string text_of(const std::optional<ProjectionCost>& cost) {
 template std::optional<ProjectionCost> projection_cost<2>(const Scene&, const Cloud<2>&);
 template std::optional<ProjectionCost> projection_cost<3>(const Scene&, const Cloud<3>&);
 
-}  // namespace plumb
+}  // namespace plumb::app

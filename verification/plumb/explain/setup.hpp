@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/tlsph.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// What projecting the scene's compatible table is going to take.
 struct ProjectionCost {
@@ -20,4 +20,4 @@ std::optional<ProjectionCost> projection_cost(const Scene& scene, const Cloud<d>
 /// The same as a line for people; empty if nothing is projected.
 std::string text_of(const std::optional<ProjectionCost>& cost);
 
-}  // namespace plumb
+}  // namespace plumb::app

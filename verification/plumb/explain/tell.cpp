@@ -1,4 +1,4 @@
-#include "plumb/explain/tell.hpp"
+#include "verification/plumb/explain/tell.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "plumbline/output/progress.hpp"
-#include "plumbline/output/terminal.hpp"
+#include "lib/output/progress.hpp"
+#include "lib/output/terminal.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,4 +114,4 @@ void tell(std::ostream& out, const Json& json) {
     out << "\nMind: " << from_column(6, warning.get<std::string>()) << '\n';
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

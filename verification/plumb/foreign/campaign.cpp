@@ -1,4 +1,4 @@
-#include "plumb/foreign/campaign.hpp"
+#include "verification/plumb/foreign/campaign.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <map>
 
-#include "plumb/foreign/campaign_cloud.hpp"
-#include "plumb/foreign/export_solution.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/section.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/section.hpp"
+#include "verification/plumb/foreign/campaign_cloud.hpp"
+#include "verification/plumb/foreign/export_solution.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ std::vector<std::pair<std::string, std::string>> files_of(const Campaign& c, con
   return files;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

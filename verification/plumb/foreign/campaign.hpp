@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "plumb/foreign/points.hpp"
-#include "plumb/foreign/solution_choice.hpp"
-#include "plumbline/geometry/layout.hpp"
+#include "lib/geometry/layout.hpp"
+#include "verification/plumb/foreign/points.hpp"
+#include "verification/plumb/foreign/solution_choice.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// A refinement study of another program, as its file says it.
 struct Campaign {
@@ -58,4 +58,4 @@ std::string filled(const std::string& text, const Campaign& campaign, const Camp
 /// The files of one run by name: input, clouds, loads.
 std::vector<std::pair<std::string, std::string>> files_of(const Campaign& campaign, const CampaignRun& run);
 
-}  // namespace plumb
+}  // namespace plumb::app

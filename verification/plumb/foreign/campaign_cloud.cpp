@@ -1,14 +1,14 @@
-#include "plumb/foreign/campaign_cloud.hpp"
+#include "verification/plumb/foreign/campaign_cloud.hpp"
 
 #include <fmt/format.h>
 
+#include "lib/core/error.hpp"
+#include "lib/geometry/shaped_cloud.hpp"
+#include "lib/output/particles.hpp"
+#include "lib/output/table.hpp"
 #include "mms/annulus.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/shaped_cloud.hpp"
-#include "plumbline/output/particles.hpp"
-#include "plumbline/output/table.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 template <int d>
@@ -128,4 +128,4 @@ std::string cloud_text(const CampaignCloud& cloud, const SolutionChoice& choice,
   return name.ends_with(".vtp") ? vtp_of(cloud, start) : table_text(cloud, start);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

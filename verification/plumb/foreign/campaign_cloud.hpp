@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "plumb/foreign/solution_choice.hpp"
-#include "plumbline/geometry/layout.hpp"
+#include "lib/geometry/layout.hpp"
+#include "verification/plumb/foreign/solution_choice.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Points that fill a solution's domain.
 struct CampaignCloud {
@@ -28,4 +28,4 @@ void require_cloud_format(const std::string& name);
 /// velocity at t = 0, or LAMMPS data (.data, atom_style atomic, masses of the points, velocities).
 std::string cloud_text(const CampaignCloud& cloud, const SolutionChoice& choice, const std::string& name);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/foreign/campaign_run.hpp"
+#include "verification/plumb/foreign/campaign_run.hpp"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/document.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/sitting.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/document.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/sitting.hpp"
 #include "reports/run/process.hpp"
 #include "reports/run/side_by_side.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -200,4 +200,4 @@ std::string write_jobs(const Campaign& c, const fs::path& out, const std::string
   return name;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "plumb/foreign/campaign.hpp"
-#include "plumb/foreign/field_errors.hpp"
+#include "verification/plumb/foreign/campaign.hpp"
+#include "verification/plumb/foreign/field_errors.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// What a run of another program cost and what came of it.
 struct CampaignResult {
@@ -37,4 +37,4 @@ std::vector<CampaignResult> collect_campaign(const Campaign& campaign, const std
 /// parallel, a Slurm array). Written into `out` with the files of all runs; gives the name of the file.
 std::string write_jobs(const Campaign& campaign, const std::filesystem::path& out, const std::string& kind);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/foreign/compare_runs.hpp"
+#include "verification/plumb/foreign/compare_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <map>
 #include <memory>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/neighbours.hpp"
-#include "plumbline/input/document.hpp"
+#include "lib/core/error.hpp"
+#include "lib/geometry/neighbours.hpp"
+#include "lib/input/document.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -219,4 +219,4 @@ std::vector<Difference> compare_runs(const std::string& a, const std::string& b,
   return all;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "plumb/foreign/points.hpp"
+#include "verification/plumb/foreign/points.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// One instant of a run: a file, and its time where it is known.
 struct Instant {
@@ -33,4 +33,4 @@ struct Difference {
 /// linearly. Throws InputError if they have no time or no dimension in common.
 std::vector<Difference> compare_runs(const std::string& a, const std::string& b, const PointOptions& options);
 
-}  // namespace plumb
+}  // namespace plumb::app

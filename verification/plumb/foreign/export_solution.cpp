@@ -1,17 +1,17 @@
-#include "plumb/foreign/export_solution.hpp"
+#include "verification/plumb/foreign/export_solution.hpp"
 
 #include <fmt/format.h>
 
 #include <iostream>
 
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/table.hpp"
 #include "mms/export/source_text.hpp"
-#include "plumb/foreign/points.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/table.hpp"
+#include "verification/plumb/foreign/points.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 template <int d>
@@ -90,4 +90,4 @@ int export_solution(const Session& session, const ExportOptions& options) {
   return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

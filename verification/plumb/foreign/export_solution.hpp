@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-#include "plumb/foreign/solution_choice.hpp"
+#include "verification/plumb/foreign/solution_choice.hpp"
 
-namespace plumb {
+namespace plumb::app {
 struct Session;
 
 /// Options of `plumb mms --export`.
@@ -22,4 +22,4 @@ int export_solution(const Session& session, const ExportOptions& options);
 /// the body force bx, by per volume and gx, gy per mass, and the load of the equilibrium -Div P, sx, sy.
 std::string values_at(const SolutionChoice& choice, const std::vector<double>& positions, double time);
 
-}  // namespace plumb
+}  // namespace plumb::app

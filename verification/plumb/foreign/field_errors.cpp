@@ -1,10 +1,10 @@
-#include "plumb/foreign/field_errors.hpp"
+#include "verification/plumb/foreign/field_errors.hpp"
 
 #include <cmath>
 
-#include "plumb/foreign/suspicion.hpp"
+#include "verification/plumb/foreign/suspicion.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// Distance from the boundary, over the domain's length, that parts it in two.
@@ -66,4 +66,4 @@ ForeignErrors errors_of(const std::string& file, const SolutionChoice& choice, d
                                : errors_in<3>(points, file, choice, time, options);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "plumb/foreign/points.hpp"
-#include "plumb/foreign/solution_choice.hpp"
+#include "verification/plumb/foreign/points.hpp"
+#include "verification/plumb/foreign/solution_choice.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Errors of one file against a solution, by name: "l2", "linf", "relative_l2" of the displacement,
 /// "l2_inside" and "l2_boundary" of its parts farther from the boundary and nearer to it than a tenth of the
@@ -27,4 +27,4 @@ struct ForeignErrors {
 ForeignErrors errors_of(const std::string& file, const SolutionChoice& choice, double time,
                         const PointOptions& options);
 
-}  // namespace plumb
+}  // namespace plumb::app

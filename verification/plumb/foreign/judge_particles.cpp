@@ -1,4 +1,4 @@
-#include "plumb/foreign/judge_particles.hpp"
+#include "verification/plumb/foreign/judge_particles.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <cmath>
 #include <iostream>
 
-#include "plumb/session.hpp"
-#include "plumbline/convergence/outcome.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/output/table.hpp"
+#include "lib/convergence/outcome.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/table.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -173,4 +173,4 @@ int judge_particles(const Session& session, const ParticleOptions& options, std:
   return exit_code_of(status);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

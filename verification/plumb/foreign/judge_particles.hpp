@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "plumb/foreign/field_errors.hpp"
-#include "plumb/judged_columns.hpp"
+#include "verification/plumb/foreign/field_errors.hpp"
+#include "verification/plumb/judged_columns.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 struct Session;
 
 /// Options of `plumb judge --particles`.
@@ -44,4 +44,4 @@ std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels);
 int judge_particles(const Session& session, const ParticleOptions& options, std::vector<std::string> norms,
                     const std::vector<double>& expect);
 
-}  // namespace plumb
+}  // namespace plumb::app

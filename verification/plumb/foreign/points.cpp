@@ -1,15 +1,15 @@
-#include "plumb/foreign/points.hpp"
+#include "verification/plumb/foreign/points.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "lib/core/error.hpp"
+#include "lib/geometry/clipped_cells.hpp"
+#include "lib/geometry/neighbours.hpp"
 #include "mms/annulus.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/geometry/clipped_cells.hpp"
-#include "plumbline/geometry/neighbours.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 template <int d>
@@ -185,4 +185,4 @@ template ForeignField<2> foreign_field<2>(const PointFile&, const std::string&, 
 template ForeignField<3> foreign_field<3>(const PointFile&, const std::string&, const mms::Domain<3>&,
                                           const PointOptions&);
 
-}  // namespace plumb
+}  // namespace plumb::app

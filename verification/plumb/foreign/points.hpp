@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "lib/input/point_file.hpp"
 #include "mms/domain.hpp"
-#include "plumbline/input/point_file.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// How a file of points is to be read.
 struct PointOptions {
@@ -42,4 +42,4 @@ template <int d>
 ForeignField<d> foreign_field(const PointFile& points, const std::string& file, const mms::Domain<d>& domain,
                               const PointOptions& options);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/foreign/solution_choice.hpp"
+#include "verification/plumb/foreign/solution_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <charconv>
 #include <cmath>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/input/section.hpp"
-#include "plumbline/input/units.hpp"
-#include "plumbline/scene/readers.hpp"
+#include "lib/core/error.hpp"
+#include "lib/input/section.hpp"
+#include "lib/input/units.hpp"
+#include "lib/scene/readers.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// All parameters with their values: those that are given, and defaults.
@@ -78,4 +78,4 @@ void add_solution_options(CLI::App& command, SolutionOptions& options) {
       ->type_name("section.key=value");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 class Section;
 
 /// A manufactured solution with parameters and material, for what another program computed.
@@ -51,4 +51,4 @@ double seconds_of(const std::string& text);
 /// "swinging-plate in 2D, neo-hookean, E = 1.7e+07 Pa, nu = 0.3, rho = 1100 kg/m^3, amplitude = 0.01".
 std::string in_words(const SolutionChoice& choice);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,11 +1,11 @@
-#include "plumb/foreign/suspicion.hpp"
+#include "verification/plumb/foreign/suspicion.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// An explanation leaves at most this share of the error.
@@ -139,4 +139,4 @@ template std::vector<std::string> suspicion<3>(const ForeignField<3>&, const mms
 template std::string region<2>(const ForeignField<2>&, const mms::ExactFields<2>&, double);
 template std::string region<3>(const ForeignField<3>&, const mms::ExactFields<3>&, double);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "mms/exact_fields.hpp"
-#include "plumb/foreign/points.hpp"
+#include "verification/plumb/foreign/points.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Says what the error of a displacement looks like: another time, a factor (a slip of units where it is a
 /// power of ten), exchanged components. Each sentence explains all of the error but a fifth; there may be
@@ -19,4 +19,4 @@ std::vector<std::string> suspicion(const ForeignField<d>& field, const mms::Exac
 template <int d>
 std::string region(const ForeignField<d>& field, const mms::ExactFields<d>& exact, double time);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/run/advance.hpp"
+#include "verification/plumb/run/advance.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <ctime>
 #include <functional>
 
-#include "plumb/run/interrupt.hpp"
+#include "verification/plumb/run/interrupt.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 double cpu_time() {
@@ -94,4 +94,4 @@ template RunResult advance<2>(const std::string&, Simulation<2>&, RunBook&, cons
 template RunResult advance<3>(const std::string&, Simulation<3>&, RunBook&, const RunFiles<3>&,
                               Progress::Style);
 
-}  // namespace plumb
+}  // namespace plumb::app

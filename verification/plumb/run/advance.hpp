@@ -1,9 +1,9 @@
 #pragma once
-#include "plumbline/output/progress.hpp"
-#include "plumbline/run/checkpoints.hpp"
-#include "plumbline/run/recorder.hpp"
+#include "lib/output/progress.hpp"
+#include "lib/run/checkpoints.hpp"
+#include "lib/run/recorder.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// What is written while a run goes on; null: it is not.
 template <int d>
@@ -20,4 +20,4 @@ RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& b
 /// Wall time of this machine's steady clock [s].
 double wall_time();
 
-}  // namespace plumb
+}  // namespace plumb::app

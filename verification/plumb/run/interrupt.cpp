@@ -1,6 +1,6 @@
-#include "plumb/run/interrupt.hpp"
+#include "verification/plumb/run/interrupt.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 volatile std::sig_atomic_t asked_to_end = 0;
@@ -37,4 +37,4 @@ int interrupt_exit_code() {
   return asked_to_end == 0 ? 1 : 128 + asked_to_end;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -2,7 +2,7 @@
 #include <array>
 #include <csignal>
 
-namespace plumb {
+namespace plumb::app {
 
 /// While it lives, Ctrl-C (SIGINT), SIGTERM and a lost terminal (SIGHUP) ask for an orderly end instead of
 /// killing the program: long loops look at interrupted(). A second signal kills at once. A program that was
@@ -25,4 +25,4 @@ bool interrupted();
 /// it of one that was killed (130 for Ctrl-C, 143, 129); 1 if there was none.
 int interrupt_exit_code();
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/run/inventory.hpp"
+#include "verification/plumb/run/inventory.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace plumb {
+namespace plumb::app {
 
 std::size_t total_bytes(const std::vector<ArrayEntry>& arrays) {
   std::size_t sum = 0;
@@ -97,4 +97,4 @@ std::size_t available_bytes() {
 template Parts parts_of<2>(const Scene&, const TlsphSimulation<2>&);
 template Parts parts_of<3>(const Scene&, const TlsphSimulation<3>&);
 
-}  // namespace plumb
+}  // namespace plumb::app

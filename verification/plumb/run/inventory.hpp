@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/tlsph.hpp"
+#include "lib/scene/tlsph.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Sum of the entries [bytes].
 std::size_t total_bytes(const std::vector<ArrayEntry>& arrays);
@@ -28,4 +28,4 @@ std::size_t peak_resident_bytes();
 /// Memory that the machine can still give without swapping [bytes]; 0 if it cannot be known.
 std::size_t available_bytes();
 
-}  // namespace plumb
+}  // namespace plumb::app

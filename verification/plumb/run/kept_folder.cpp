@@ -1,8 +1,8 @@
-#include "plumb/run/kept_folder.hpp"
+#include "verification/plumb/run/kept_folder.hpp"
 
 #include <cstdlib>
 
-namespace plumb {
+namespace plumb::app {
 
 std::filesystem::path kept_folder(const std::string& name) {
   const auto place = [](const char* variable) {
@@ -19,4 +19,4 @@ std::string kept_folder_text(const std::string& name) {
   return "default: plumb/" + name + " in $XDG_CACHE_HOME or ~/.cache";
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,10 +1,10 @@
-#include "plumb/run/likely_cause.hpp"
+#include "verification/plumb/run/likely_cause.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// The largest step that small motion bears, over the time of a pressure wave between the closest neighbours:
@@ -40,4 +40,4 @@ std::string likely_cause(const Scene& scene, const TlsphSimulation<d>& simulatio
 template std::string likely_cause<2>(const Scene&, const TlsphSimulation<2>&, double);
 template std::string likely_cause<3>(const Scene&, const TlsphSimulation<3>&, double);
 
-}  // namespace plumb
+}  // namespace plumb::app

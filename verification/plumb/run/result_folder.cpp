@@ -1,4 +1,4 @@
-#include "plumb/run/result_folder.hpp"
+#include "verification/plumb/run/result_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,12 +9,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/core/error.hpp"
-#include "plumbline/run/checkpoint.hpp"
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/particles.hpp"
+#include "lib/core/error.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/particles.hpp"
+#include "lib/run/checkpoint.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 namespace fs = std::filesystem;
 
@@ -75,4 +75,4 @@ std::optional<nlohmann::ordered_json> completed_summary(const fs::path& folder,
   return summary;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

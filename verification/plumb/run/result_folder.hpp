@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace plumb {
+namespace plumb::app {
 
 /// The folder that a run writes into, for as long as this lives: a second run is refused. The lock is the
 /// system's and dies with the process; it leaves no file. Where the file system has no locks there is none.
@@ -42,4 +42,4 @@ void require_no_checkpoint(const std::filesystem::path& folder);
 std::optional<nlohmann::ordered_json> completed_summary(const std::filesystem::path& folder,
                                                         const std::map<std::string, std::string>& settings);
 
-}  // namespace plumb
+}  // namespace plumb::app

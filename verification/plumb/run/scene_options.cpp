@@ -1,4 +1,4 @@
-#include "plumb/run/scene_options.hpp"
+#include "verification/plumb/run/scene_options.hpp"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/run/inventory.hpp"
-#include "plumbline/core/error.hpp"
-#include "plumbline/kernel/kernel.hpp"
-#include "plumbline/scene/read_scene.hpp"
+#include "lib/core/error.hpp"
+#include "lib/kernel/kernel.hpp"
+#include "lib/scene/read_scene.hpp"
+#include "verification/plumb/run/inventory.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// Bytes per particle that any scene takes while it is built and run: what `plumb explain` measured as
@@ -69,4 +69,4 @@ std::map<std::string, std::string> settings_of(const SceneOptions& options) {
   return scene_settings(options.file, options.overrides);
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

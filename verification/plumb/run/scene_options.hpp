@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/scene/scene.hpp"
+#include "lib/scene/scene.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 
 /// What every subcommand that reads a scene takes.
 struct SceneOptions {
@@ -36,4 +36,4 @@ int with_dimension(const Scene& scene, F&& f) {
   return scene.dimension == 2 ? f.template operator()<2>() : f.template operator()<3>();
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

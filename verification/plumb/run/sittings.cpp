@@ -1,15 +1,15 @@
-#include "plumb/run/sittings.hpp"
+#include "verification/plumb/run/sittings.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <ostream>
 
-#include "plumb/provenance.hpp"
-#include "plumb/session.hpp"
-#include "plumbline/input/section.hpp"
+#include "lib/input/section.hpp"
+#include "verification/plumb/provenance.hpp"
+#include "verification/plumb/session.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 void add_sitting_options(CLI::App& command, SittingOptions& options) {
   command
@@ -36,4 +36,4 @@ void tell_recalled(const Session& session, const Sitting& sitting) {
                                   sitting.recalled());
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "plumb/run/interrupt.hpp"
-#include "plumb/run/kept_folder.hpp"
-#include "plumbline/output/progress.hpp"
-#include "plumbline/output/sitting.hpp"
+#include "lib/output/progress.hpp"
+#include "lib/output/sitting.hpp"
+#include "verification/plumb/run/interrupt.hpp"
+#include "verification/plumb/run/kept_folder.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace plumb {
+namespace plumb::app {
 struct Session;
 
 /// Where the finished parts of a study wait that was interrupted; empty: they are not kept.
@@ -46,4 +46,4 @@ auto in_one_sitting(const Session& session, const SittingOptions& options,
   return result;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,16 +1,16 @@
-#include "plumb/run/summary.hpp"
+#include "verification/plumb/run/summary.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "plumb/run/inventory.hpp"
-#include "plumb/run/likely_cause.hpp"
-#include "plumb/run/summary_parts.hpp"
-#include "plumbline/output/progress.hpp"
+#include "lib/output/progress.hpp"
+#include "verification/plumb/run/inventory.hpp"
+#include "verification/plumb/run/likely_cause.hpp"
+#include "verification/plumb/run/summary_parts.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -177,4 +177,4 @@ template EnergyBudget energy_budget<3>(const FinishedRun<3>&);
 template Drifts drifts_of<2>(const FinishedRun<2>&);
 template Drifts drifts_of<3>(const FinishedRun<3>&);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -2,11 +2,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "plumbline/run/checkpoints.hpp"
-#include "plumbline/run/probe.hpp"
-#include "plumbline/scene/simulation.hpp"
+#include "lib/run/checkpoints.hpp"
+#include "lib/run/probe.hpp"
+#include "lib/scene/simulation.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Everything that the summary of a run is made of.
 template <int d>
@@ -30,4 +30,4 @@ nlohmann::ordered_json summary(const FinishedRun<d>& run);
 template <int d>
 std::string summary_text(const FinishedRun<d>& run);
 
-}  // namespace plumb
+}  // namespace plumb::app

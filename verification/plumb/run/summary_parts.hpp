@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "plumb/run/summary.hpp"
-#include "plumbline/diagnostics/measures.hpp"
+#include "lib/measures/measures.hpp"
+#include "verification/plumb/run/summary.hpp"
 
 /// What the summary for programs and the one for people share.
-namespace plumb {
+namespace plumb::app {
 
 /// Where the energy of the last state is, and where it came from [J] (per metre of thickness in 2D):
 /// total = kinetic + strain + all terms.
@@ -40,4 +40,4 @@ inline bool is_free(const Scene& scene) {
   return scene.boundaries.empty() && !scene.load && !scene.method.damping;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

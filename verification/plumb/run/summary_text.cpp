@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include "plumb/run/inventory.hpp"
-#include "plumb/run/likely_cause.hpp"
-#include "plumb/run/summary.hpp"
-#include "plumb/run/summary_parts.hpp"
-#include "plumbline/output/progress.hpp"
-#include "plumbline/output/terminal.hpp"
+#include "lib/output/progress.hpp"
+#include "lib/output/terminal.hpp"
+#include "verification/plumb/run/inventory.hpp"
+#include "verification/plumb/run/likely_cause.hpp"
+#include "verification/plumb/run/summary.hpp"
+#include "verification/plumb/run/summary_parts.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 std::string place_text(const double* values, std::size_t count) {
@@ -94,4 +94,4 @@ std::string summary_text(const FinishedRun<d>& run) {
 template std::string summary_text<2>(const FinishedRun<2>&);
 template std::string summary_text<3>(const FinishedRun<3>&);
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,13 +1,13 @@
-#include "plumb/run/trial_cache.hpp"
+#include "verification/plumb/run/trial_cache.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "plumbline/output/file.hpp"
-#include "plumbline/output/json.hpp"
-#include "plumbline/output/sitting.hpp"
+#include "lib/output/file.hpp"
+#include "lib/output/json.hpp"
+#include "lib/output/sitting.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 std::optional<Cause> cause_named(const std::string& name) {
@@ -48,4 +48,4 @@ void TrialCache::keep(const std::string& content, const Trial& trial) const {
   replace_file(file_of(content), json.dump(1) + "\n");
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "plumbline/stability/trial.hpp"
+#include "lib/stability/trial.hpp"
 
-namespace plumb {
+namespace plumb::app {
 
 /// Finished runs in a folder, one small file each, by the content of their scene and bounds and by the build
 /// of the program: what has been run is never run again, also after an interrupted study. Safe to use from
@@ -24,4 +24,4 @@ class TrialCache {
   std::filesystem::path folder_;
 };
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,4 +1,4 @@
-#include "plumb/run/waiting.hpp"
+#include "verification/plumb/run/waiting.hpp"
 
 #include <omp.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace plumb {
+namespace plumb::app {
 
 void let_waiting_threads_sleep(char** arguments) {
   for (const char* chosen : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"})
@@ -18,4 +18,4 @@ void let_waiting_threads_sleep(char** arguments) {
   ::execv(program.c_str(), arguments);  // returns only if it fails: then they turn
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

@@ -1,12 +1,12 @@
-#include "plumb/shell/completion.hpp"
+#include "verification/plumb/shell/completion.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
-#include "plumb/usage.hpp"
+#include "verification/plumb/usage.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// 'text' for a shell, whatever is in it.
@@ -118,4 +118,4 @@ std::string zsh_completion(const CLI::App& program) {
   return text + zsh_completes("", program) + "_plumb \"$@\"\n";
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

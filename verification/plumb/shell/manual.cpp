@@ -1,16 +1,16 @@
-#include "plumb/shell/manual.hpp"
+#include "verification/plumb/shell/manual.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <set>
 
-#include "plumb/session.hpp"
-#include "plumb/usage.hpp"
-#include "plumbline/convergence/norm_units.hpp"
-#include "plumbline/convergence/words.hpp"
+#include "lib/convergence/norm_units.hpp"
+#include "lib/convergence/words.hpp"
+#include "verification/plumb/session.hpp"
+#include "verification/plumb/usage.hpp"
 
-namespace plumb {
+namespace plumb::app {
 namespace {
 
 /// Text that roff takes as it stands: backslashes, hyphens that may be copied, no control characters at the
@@ -96,4 +96,4 @@ std::string manual(const CLI::App& program, const std::string& version, const st
   return text;
 }
 
-}  // namespace plumb
+}  // namespace plumb::app

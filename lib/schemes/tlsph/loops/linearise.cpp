@@ -1,0 +1,190 @@
+#include "lib/schemes/tlsph/loops/linearise.hpp"
+
+#include <algorithm>
+
+#include "lib/schemes/tlsph/bonds/each_bond.hpp"
+
+namespace plumb {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+template <int d>
+std::vector<Index> particle_of_slot(const Solid<d>& solid) {
+  std::vector<Index> particle(solid.bonds.slots.count(), -1);
+  for (Index i = 0; i < solid.cloud.size(); ++i) particle[solid.bonds.slots.of(i)] = i;
+  return particle;
+}
+
+template <int d>
+SparseMatrix built(Index rows, Index columns, const Triplets& entries) {
+  SparseMatrix m(rows, columns);
+  m.setFromTriplets(entries.begin(), entries.end());
+  return m;
+}
+
+/// G: displacements to deformation gradients, rows d^2 particle + d a + b.
+template <int d>
+SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
+  Triplets entries;
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    Vec<d> sum = Vec<d>::Zero();
+    const auto put = [&](Index j, const Vec<d>& c, const Vec<d>& signs = Vec<d>::Ones()) {
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) entries.emplace_back(d * d * i + d * a + b, d * j + a, signs[a] * c[b]);
+      sum += c;
+    };
+    const Index own = solid.bonds.slots.of(i);
+    for_each_bond(solid.bonds, own, [&](const BondEntry<d>& bond, const Vec<d>&) {
+      put(particle[bond.other], bond.vector(solid.bonds.stencil));
+    });
+    for_each_image(solid.bonds, own, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
+      const Vec<d> c = bond.vector(solid.bonds.mirror->stencil);
+      if (c.squaredNorm() > 0) put(particle[bond.other], c, signs);
+    });
+    put(i, -sum);
+  }
+  return built<d>(d * d * solid.cloud.size(), d * solid.cloud.size(), entries);
+}
+
+/// -V D: first Piola-Kirchhoff stresses to minus the force on each particle.
+template <int d>
+SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
+  const BondTable<d>& t = solid.bonds;
+  Triplets entries;
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Index slot = t.slots.of(i), row = t.row[slot / t.width], lane = slot % t.width;
+    const auto put = [&](Index j, const Vec<d>& weight, const Vec<d>& signs = Vec<d>::Ones()) {
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b)
+          entries.emplace_back(d * i + a, d * d * j + d * a + b,
+                               -solid.cloud.V[i] * signs[a] * signs[b] * weight[b]);
+    };
+    Vec<d> own;
+    for (int k = 0; k < d; ++k) own[k] = t.own_force[(row * d + k) * t.width + lane];
+    if (t.mirror)
+      for (int k = 0; k < d; ++k) own[k] += t.mirror->own_force[(row * d + k) * t.width + lane];
+    put(i, own);
+    for_each_bond(t, slot, [&](const BondEntry<d>& bond, const Vec<d>&) {
+      put(particle[bond.other], bond.vector(t.force_weights()));
+    });
+    for_each_image(t, slot, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
+      const Vec<d> a = bond.vector(t.mirror->force);
+      if (a.squaredNorm() > 0) put(particle[bond.other], a, signs);
+    });
+  }
+  return built<d>(d * solid.cloud.size(), d * d * solid.cloud.size(), entries);
+}
+
+}  // namespace
+
+template <int d>
+LinearOperators linear_operators(const Solid<d>& solid) {
+  const std::vector<Index> particle = particle_of_slot(solid);
+  LinearOperators operators;
+  operators.gradient = gradient_operator(solid, particle);
+  operators.force = force_operator(solid, particle);
+  std::vector<StiffnessEntry> extra;
+  for (const auto& term : solid.terms)
+    if (term.stiffness) term.stiffness(solid, extra);
+  Triplets entries;
+  for (const auto& e : extra) entries.emplace_back(e.row, e.column, e.value);
+  operators.terms = built<d>(d * solid.cloud.size(), d * solid.cloud.size(), entries);
+  operators.identity.resize(d * d * solid.cloud.size());
+  Mat<d> identity = Mat<d>::Zero();
+  for (Index i = 0; i < solid.cloud.size(); ++i) {
+    const Mat<d> found = estimated_identity(solid.bonds, solid.bonds.slots.of(i));
+    // round-off of the table must not make a tangent per particle
+    if ((found - identity).cwiseAbs().maxCoeff() > 1e-12) identity = found;
+    for (int n = 0; n < d * d; ++n) operators.identity[d * d * i + n] = identity(n / d, n % d);
+  }
+  return operators;
+}
+
+template <int d>
+SparseMatrix tangent_operator(const Solid<d>& solid, const Eigen::VectorXd& gradients) {
+  const Index n = solid.cloud.size();
+  std::vector<Tangent<d>> tangents(static_cast<std::size_t>(n));
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < n; ++i) {
+    Mat<d> F;
+    for (int m = 0; m < d * d; ++m) F(m / d, m % d) = gradients[d * d * i + m];
+    tangents[static_cast<std::size_t>(i)] = solid.sweeps.tangent(F);
+  }
+  Triplets entries;
+  entries.reserve(tangents.size() * d * d * d * d);
+  for (Index i = 0; i < n; ++i)
+    for (int m = 0; m < d * d; ++m)
+      for (int k = 0; k < d * d; ++k)
+        entries.emplace_back(d * d * i + m, d * d * i + k, tangents[static_cast<std::size_t>(i)](m, k));
+  return built<d>(d * d * n, d * d * n, entries);
+}
+
+template <int d>
+Linearised linearise(const Solid<d>& solid) {
+  const LinearOperators operators = linear_operators(solid);
+  Linearised result;
+  const SparseMatrix stress = tangent_operator(solid, operators.identity) * operators.gradient;
+  result.stiffness = operators.force * stress;
+  if (operators.terms.nonZeros() > 0) result.stiffness += operators.terms;
+  result.mass = masses_of(solid);
+  return result;
+}
+
+template <int d>
+Eigen::VectorXd unknowns_of(const Solid<d>& solid, const Field& field) {
+  Eigen::VectorXd values(d * solid.cloud.size());
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    values.segment<d>(d * i) = vector_at<d>(field, solid.bonds.slots.of(i));
+  return values;
+}
+
+template <int d>
+void set_unknowns(const Solid<d>& solid, const Eigen::VectorXd& values, Field& field) {
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    set_vector<d>(field, solid.bonds.slots.of(i), Vec<d>(values.segment<d>(d * i)));
+}
+
+template <int d>
+Eigen::VectorXd masses_of(const Solid<d>& solid) {
+  Eigen::VectorXd mass(d * solid.cloud.size());
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    mass.segment<d>(d * i).setConstant(solid.elastic.density * solid.cloud.V[i]);
+  return mass;
+}
+
+std::vector<Index> free_unknowns(Index unknowns, const std::vector<Index>& held) {
+  std::vector<bool> is_held(unknowns, false);
+  for (const Index n : held) is_held[n] = true;
+  std::vector<Index> free;
+  for (Index n = 0; n < unknowns; ++n)
+    if (!is_held[n]) free.push_back(n);
+  return free;
+}
+
+SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<Index>& rows,
+                     const std::vector<Index>& columns) {
+  std::vector<Index> number(matrix.rows(), -1);
+  for (std::size_t n = 0; n < rows.size(); ++n) number[rows[n]] = static_cast<Index>(n);
+  Triplets entries;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (SparseMatrix::InnerIterator it(matrix, columns[c]); it; ++it)
+      if (number[it.row()] >= 0) entries.emplace_back(number[it.row()], static_cast<Index>(c), it.value());
+  SparseMatrix part(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  part.setFromTriplets(entries.begin(), entries.end());
+  return part;
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                                      \
+  template LinearOperators linear_operators<d>(const Solid<d>&);                      \
+  template SparseMatrix tangent_operator<d>(const Solid<d>&, const Eigen::VectorXd&); \
+  template Linearised linearise<d>(const Solid<d>&);                                  \
+  template Eigen::VectorXd unknowns_of<d>(const Solid<d>&, const Field&);             \
+  template void set_unknowns<d>(const Solid<d>&, const Eigen::VectorXd&, Field&);     \
+  template Eigen::VectorXd masses_of<d>(const Solid<d>&);
+PLUMBLINE_INSTANTIATE(1)
+PLUMBLINE_INSTANTIATE(2)
+PLUMBLINE_INSTANTIATE(3)
+#undef PLUMBLINE_INSTANTIATE
+
+}  // namespace plumb

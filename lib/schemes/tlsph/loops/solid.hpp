@@ -1,0 +1,148 @@
+#pragma once
+#include <omp.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lib/material/material.hpp"
+#include "lib/schemes/tlsph/bonds/bond_table.hpp"
+#include "lib/schemes/tlsph/loops/stress_window.hpp"
+
+namespace plumb {
+
+template <int d>
+struct Solid;
+
+/// One entry of a stiffness matrix [N/m]; rows and columns are d x particle + component.
+struct StiffnessEntry {
+  Index row, column;
+  double value;
+};
+
+/// Displacement of the point at which the force on a slot acts in the change of sum m x (x-product) v over a
+/// step [m], THEORY (5.5). Empty: where the slot is.
+template <int d>
+using Arm = std::function<Vec<d>(Index slot)>;
+
+/// An optional part of the right-hand side (dissipation, body force, support, hourglass energy): made only if
+/// a scene names it. Called per block, never per particle. An empty function is not called.
+template <int d>
+struct Term {
+  std::string name;
+  std::size_t bytes = 0;        ///< of its own arrays
+  double bytes_per_update = 0;  ///< read and written at each evaluation, as in THEORY (10.8)
+  /// Runs with the stress; may read displacement and velocity of slots that share a bond and write the term's
+  /// own arrays.
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
+  /// Adds to the stress of the block's own slots, after the material has set it: what is carried by the same
+  /// bonds as the stress costs no second gather.
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, StressWindow& P)> stress;
+  /// Adds to the force per unit reference volume; may read the term's own arrays, and of the state the
+  /// block's own slots.
+  std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
+  /// Changes the forces of all slots at once, when they are known up to this term; at most one term has it.
+  /// Forces are stored, and terms behind it may not read the state of other slots.
+  std::function<void(const Solid<d>&, const State<d>&, const Arm<d>&, Field& force)> whole;
+  bool needs_F = false;   ///< the deformation gradient is stored
+  bool internal = false;  ///< its force belongs to the strain energy, with the internal force
+  /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
+  std::function<double(const Solid<d>&, const State<d>&)> energy;
+  /// Adds -dforce/du x volume at the reference state (linearise.hpp); empty: the term has no stiffness.
+  std::function<void(const Solid<d>&, std::vector<StiffnessEntry>&)> stiffness;
+};
+
+/// dP_ab/dF_ce [Pa] at row a d + b, column c d + e.
+template <int d>
+using Tangent = Eigen::Matrix<double, d * d, d * d>;
+
+/// The loops for one material and one kind of table, chosen once.
+template <int d>
+struct Sweeps {
+  std::function<bool(const BondTable<d>&, const Field& u, const Block&, StressWindow& P, Field* F)> stress;
+  std::function<double(const BondTable<d>&, const Field& u, const Block&, const double* volume)> energy;
+  std::function<void(const BondTable<d>&, const StressWindow& P, const Block&, BlockForce<d>&)> force;
+  std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF at F, for linearisation
+  std::size_t bytes = 0;                               ///< of tables of their own
+};
+
+/// Work done so far; does not depend on the machine.
+struct Work {
+  std::int64_t particle_evaluations = 0;
+  std::int64_t pair_evaluations = 0;
+};
+
+/// Where the last evaluation found a deformation gradient without positive determinant.
+struct UnsoundParticle {
+  Index particle = -1;
+  double determinant = 0;
+};
+
+/// A body of one material: its bonds, its loops and whatever optional terms the scene names.
+template <int d>
+struct Solid {
+  Cloud<d> cloud;
+  Elastic elastic;
+  double smoothing_length = 0;  ///< h [m]
+  BondTable<d> bonds;
+  Sweeps<d> sweeps;
+  std::vector<Term<d>> terms;
+  StressWindow P;        ///< first Piola-Kirchhoff stress, as far as forces have still to read it
+  Field F;               ///< deformation gradient; empty unless a term needs it
+  Field stored_force;    ///< [N/m^d]; empty unless a term changes the forces as a whole
+  AlignedVector volume;  ///< per slot [m^d]; 0 for empty slots
+  double step_limit = std::numeric_limits<double>::max();  ///< other than CFL [s] (JST)
+  Work work;
+  UnsoundParticle unsound;  ///< set when an evaluation fails
+
+  Index blocks() const { return (bonds.slots.count() + block_slots - 1) / block_slots; }
+  Block block(Index b) const {
+    const Index per_block = block_slots / bonds.width;
+    return {b * per_block, std::min((b + 1) * per_block, bonds.slots.packs()), bonds.width};
+  }
+  Field make_field(int components) const { return {components, bonds.slots.count(), bonds.margin}; }
+};
+
+/// The loops of the material of that name; InputError names the nearest valid one.
+template <int d>
+Sweeps<d> sweeps_named(std::string_view material, const Elastic& elastic, const BondTable<d>& bonds);
+
+/// Puts a body together from its reference configuration; terms are added afterwards with add_term.
+template <int d>
+Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& elastic,
+                    const BondOptions<d>& options);
+
+template <int d>
+void add_term(Solid<d>& solid, Term<d> term);
+
+/// State at rest in the reference configuration.
+template <int d>
+State<d> make_state(const Solid<d>& solid);
+
+/// The first particle, in order, whose J is not positive or not a number.
+template <int d>
+UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state);
+
+/// Room for the stresses of a body, with as many shares as threads will work on it.
+template <int d>
+StressWindow make_stress_window(const Solid<d>& solid) {
+  const Index blocks = solid.blocks();
+  const Index reach = (solid.bonds.margin + block_slots - 1) / block_slots;
+  return {d * d, blocks, reach, blocks >= blocks_for_threads ? omp_get_max_threads() : 1};
+}
+
+/// Sum over blocks in a fixed order, whatever the number of threads.
+template <int d, class F>
+double sum_over_blocks(const Solid<d>& solid, F&& value) {
+  std::vector<double> parts(solid.blocks());
+#pragma omp parallel for schedule(static) if (solid.blocks() >= blocks_for_threads)
+  for (Index b = 0; b < solid.blocks(); ++b) parts[b] = value(solid.block(b));
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace plumb
