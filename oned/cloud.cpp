@@ -122,8 +122,8 @@ std::vector<std::string> warnings(const Discretisation& d, const std::vector<Tes
     all.push_back(
         nearest == 1
             ? fmt::format("R/dx = {:.12g}: R is the spacing itself, rounding picks the neighbours", ratio)
-            : "R is a whole number of spacings: the particles at r = R count as outside (harmless, W(R) = "
-              "0)");
+            : "R is a whole number of spacings: the particles "
+              "at r = R count as outside (harmless, W(R) = 0)");
   for (const TestField& field : fields)
     if (const auto* sine = std::get_if<Sine>(&field.form))
       if (std::abs(sine->wave_number) * d.dx() > std::numbers::pi)

@@ -72,8 +72,8 @@ class JobRunner {
         jobs.size(), side_by_side, [&](std::size_t n) { take(*jobs[n], store); }, options_.go_on);
     if (options_.go_on && !options_.go_on())
       throw SittingEnded(
-          fmt::format("interrupted: {} of {} studies are finished and stored; the same call goes on "
-                      "from there",
+          fmt::format("interrupted: {} of {} studies are finished "
+                      "and stored; the same call goes on from there",
                       finished_, total_));
   }
   /// Counts what is to be done, so that the share done is one of time and not of studies.
@@ -219,15 +219,13 @@ ReportSummary make_report(const ReportOptions& options) {
   ReportSummary summary;
   summary.page = options.out / "index.html";
   const Results results = run_jobs(plans, options, summary);
-  Page page{
-      "Plumbline verification report",
-      "Total Lagrangian SPH with corrected kernels and bond-based deformation gradients, held against "
-      "mathematics "
-      "and against what the papers print. The numbers come from the commands shown with them; three kinds "
-      "do not and say so: recorded values of the ledger of claims, the stored score of planted faults, "
-      "and speeds of other codes.",
-      options.facts,
-      {}};
+  Page page{"Plumbline verification report",
+            "Total Lagrangian SPH with corrected kernels and bond-based deformation gradients, "
+            "held against mathematics and against what the papers print. The numbers come from "
+            "the commands shown with them; three kinds do not and say so: recorded values of the "
+            "ledger of claims, the stored score of planted faults, and speeds of other codes.",
+            options.facts,
+            {}};
   for (const auto& plan : plans) {
     page.sections.push_back(written(plan, results, summary));
     write_data(page.sections.back(), options.out);

@@ -211,9 +211,8 @@ Figure orders_figure(std::string id, std::string title, const DataTable& fits, c
   picture.height = 110 + 20 * static_cast<int>(rows.names.size());
   picture.map = std::move(rows);
   return {std::move(id), std::move(picture),
-          "Fitted orders with their 95 % intervals; the grey stroke is the declared order. A triangle: the "
-          "interval "
-          "does not hold it.",
+          "Fitted orders with their 95 % intervals; the grey stroke is "
+          "the declared order. A triangle: the interval does not hold it.",
           fits.jobs};
 }
 

@@ -10,7 +10,7 @@ foreach(moved IN ITEMS
     "gradient/neighbourhood.hpp > kernel/neighbourhood.hpp"
     "diagnostics/budget.hpp > measures/budget.hpp"
     "diagnostics/budget_file.hpp > measures/budget_file.hpp"
-    "diagnostics/in_space.hpp > measures/in_space.hpp"
+    "diagnostics/in_space.hpp > core/in_space.hpp"
     "diagnostics/measures.hpp > measures/measures.hpp"
     "gradient/append_image_row.hpp > schemes/tlsph/bonds/append_image_row.hpp"
     "gradient/bond_table.hpp > schemes/tlsph/bonds/bond_table.hpp"

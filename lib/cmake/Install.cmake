@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(plumbline_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumbline)
 
-foreach(part lib mms oned reports)
+foreach(part lib ${plumbline_libraries} mms oned reports)
   if(TARGET plumbline::${part})
     get_target_property(target plumbline::${part} ALIASED_TARGET)
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${part})

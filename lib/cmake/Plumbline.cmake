@@ -43,7 +43,7 @@ function(plumbline_target name)
   if(PLUMBLINE_SANITIZE)
     target_compile_options(${name} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${name} PUBLIC -fsanitize=address,undefined)
-    if(name MATCHES "^plumbline_(lib|mms|oned)$")
+    if(name MATCHES "^plumbline_" AND NOT name STREQUAL "plumbline_reports")
       target_compile_options(${name} PRIVATE -O1)  # where the numbers are; -O0 compiles the rest twice as fast
     endif()
   endif()

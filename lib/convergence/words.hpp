@@ -14,16 +14,15 @@ struct VerdictWord {
 inline constexpr std::array<VerdictWord, 17> verdict_words{{
     {"pass", "The declared order (or number) is the measured one."},
     {"fail",
-     "The measured order is lower than the declared one, a number is another than the one expected, or a run "
-     "broke."},
+     "The measured order is lower than the declared one, a "
+     "number is another than the one expected, or a run broke."},
     {"above",
-     "The measured order is higher than the declared one. The declaration may be too low, the norm may see "
-     "only "
-     "a part of the error, or the levels may be too coarse for the term that decides in the end. Neither a "
-     "pass nor a failure of the scheme."},
+     "The measured order is higher than the declared one. The declaration may be too "
+     "low, the norm may see only a part of the error, or the levels may be too coarse "
+     "for the term that decides in the end. Neither a pass nor a failure of the scheme."},
     {"not-asymptotic",
-     "The slope still changes from level to level, or a signed error crosses zero: there is no one power law "
-     "yet."},
+     "The slope still changes from level to level, or a signed "
+     "error crosses zero: there is no one power law yet."},
     {"noise-floor",
      "Fewer than four levels lie above round-off or the error of the model, so no order is left to see."},
     {"too-few-levels", "Fewer than four levels were given. They make no verdict."},

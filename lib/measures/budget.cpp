@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lib/core/error.hpp"
-#include "lib/measures/in_space.hpp"
+#include "lib/core/in_space.hpp"
 #include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/loops/sweeps.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lib/measures/in_space.hpp"
+#include "lib/core/in_space.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
 
 namespace plumb {

@@ -27,9 +27,9 @@ std::vector<std::string> limits_of(const Scene& scene) {
   if (random || scene.body.jitter > 0)
     // report section compatible-evidence
     return {
-        fmt::format("gradient = \"{}\" on {}: none of the tables but that of compatible bonds converges on "
-                    "irregular clouds, since a uniform stress leaves a force there; use gradient = "
-                    "\"compatible\"",
+        fmt::format("gradient = \"{}\" on {}: none of the tables but that of "
+                    "compatible bonds converges on irregular clouds, since a "
+                    "uniform stress leaves a force there; use gradient = \"compatible\"",
                     scene.method.gradient,
                     !scene.body.file.empty() ? "particles of a file"
                     : random                 ? "blue noise"

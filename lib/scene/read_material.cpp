@@ -67,8 +67,8 @@ void refuse_history(const Section& root, const MaterialChoice& material, const M
   root.section("material")
       .fail("model", fmt::format("a body of \"{}\"", material.model),
             fmt::format("its history is not carried through time steps by scheme = \"{}\"", method.scheme),
-            "use scheme = \"mixed\" or \"updated\", which do, or an elastic law; `plumb material` drives it "
-            "at one point");
+            "use scheme = \"mixed\" or \"updated\", which do, or an "
+            "elastic law; `plumb material` drives it at one point");
 }
 
 }  // namespace plumb

@@ -27,8 +27,8 @@ Compatible read_compatible(const Section& root, const Method& method) {
                   "the closed form ends at the faces of the box", "leave one of them out");
   if (compatible.table == "closed-form" && method.momentum != "adjoint")
     section->fail("table", fmt::format("\"closed-form\" contradicts momentum = \"{}\"", method.momentum),
-                  "its bonds within a face are not antisymmetric, so that only the adjoint form passes the "
-                  "patch test",
+                  "its bonds within a face are not antisymmetric, so "
+                  "that only the adjoint form passes the patch test",
                   "use momentum = \"adjoint\" or table = \"projected\"");
   if (section->has("cache")) compatible.cache = section->text("cache");
   section->reject_unknown();

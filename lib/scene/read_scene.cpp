@@ -15,8 +15,8 @@ void refuse_pointless_mirror(const Section& root, const Scene& scene) {
                                  [](const auto& b) { return b.kind == BoundaryKind::roller; });
   if (scene.body.layout == Layout::mirror && !rolls)
     root.section("body").fail("layout", "mirror without a roller",
-                              "ghosts stand behind rollers: there is nothing "
-                              "to mirror",
+                              "ghosts stand behind rollers: "
+                              "there is nothing to mirror",
                               "use cell");
 }
 

@@ -72,11 +72,9 @@ constexpr double large_change = 3;
 template <int d>
 std::string large_change_text(double change) {
   return fmt::format(
-      "area vectors of the compatible table change by up to {:.2g} spacings^{}: particles near the surface "
-      "have "
-      "too few neighbours, and stable steps are about as many times smaller than cfl says. Put particles on "
-      "the "
-      "surface (layout = \"node\") or use a larger beta",
+      "area vectors of the compatible table change by up to {:.2g} spacings^{}: particles near "
+      "the surface have too few neighbours, and stable steps are about as many times smaller "
+      "than cfl says. Put particles on the surface (layout = \"node\") or use a larger beta",
       change, d - 1);
 }
 

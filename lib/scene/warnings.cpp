@@ -101,9 +101,9 @@ Texts wide_kernel_warnings(const Scene& scene, double radius_over_spacing) {
         "damps it (THEORY chapter 9); use momentum = \"adjoint\", or plumb spectrum to see how fast"};
   if (!symmetrised && radius_over_spacing > 2.4 * (1 - 1e-9) && scene.method.gradient != "compatible")
     return {width +
-            ", and the stiffness falls for motions that alternate from particle to particle (a free cube of "
-            "5^3 at R = 2.4 d: 28 of 375 modes are softer than the softest smooth one, none at 1.8 d); use "
-            "a smaller beta"};
+            ", and the stiffness falls for motions that alternate from particle "
+            "to particle (a free cube of 5^3 at R = 2.4 d: 28 of 375 modes are "
+            "softer than the softest smooth one, none at 1.8 d); use a smaller beta"};
   return {};
 }
 

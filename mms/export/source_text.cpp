@@ -105,11 +105,11 @@ std::string heading(const Language& language, const std::string& about, int d) {
   line("Manufactured solution, written by Plumbline: " + about + ".");
   line(fmt::format("X: reference position [m], {} numbers; t: time [s]. SI units.", d));
   line(
-      "u [m], v = u_t [m/s], a = u_tt [m/s^2], F = I + Grad u, P: first Piola-Kirchhoff stress [Pa] (F and P "
-      "row by row),");
+      "u [m], v = u_t [m/s], a = u_tt [m/s^2], F = I + Grad u, "
+      "P: first Piola-Kirchhoff stress [Pa] (F and P row by row),");
   line(
-      "b = rho a - Div P per reference volume [N/m^3]: with this load u is the solution. Traction on a face: "
-      "P N.");
+      "b = rho a - Div P per reference volume [N/m^3]: with "
+      "this load u is the solution. Traction on a face: P N.");
   return text;
 }
 

@@ -123,8 +123,8 @@ std::string series_commands(const Prepared& p, std::vector<std::string>& plots) 
     out += "EOD\n";
     if (series.band)
       plots.push_back(
-          fmt::format("$s{} using 1:3:4 with filledcurves lc rgb \"{}\" fs transparent solid 0.18 noborder "
-                      "notitle",
+          fmt::format("$s{} using 1:3:4 with filledcurves lc rgb \"{}\" "
+                      "fs transparent solid 0.18 noborder notitle",
                       s, colour.line));
     const bool by_dash = series.style == Style::lines && p.picture.labels == Labels::legend;
     const std::string dash = series.dashed ? dashes[1] : by_dash ? dashes[s % 4] : dashes[0];

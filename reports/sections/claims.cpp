@@ -102,11 +102,9 @@ Section write(const Results& results) {
         as(CheckKind::book_keeping, {"open claims of paper 000, section " + part, "0",
                                      fmt::format("{}", open[part]), pass_if(open[part] == 0)}));
   s.notes = {
-      "A claim is reproduced if it holds in every reading of what the paper leaves open, ambiguous if it "
-      "holds "
-      "in some, contradicted if it holds in none of at least three and a second, independent line of "
-      "evidence "
-      "says the same, and open otherwise.",
+      "A claim is reproduced if it holds in every reading of what the paper leaves open, "
+      "ambiguous if it holds in some, contradicted if it holds in none of at least three "
+      "and a second, independent line of evidence says the same, and open otherwise.",
       "ctest -L claims measures the quick numbers again and fails when one of them, or a status, has changed "
       "(plumb claims --check; with --long all of them)."};
   return s;

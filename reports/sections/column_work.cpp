@@ -91,9 +91,8 @@ Section write(const Results& results, const std::vector<int>& cells, int finest)
   const Series a = by_label(picture.series, by_id(schemes, "adjoint").name),
                b = by_label(picture.series, by_id(schemes, "paper").name);
   s.answer = fmt::format(
-      "At {} cells across the adjoint force with Verlet is {:.2g} m off in {:.2g} s, the paper's scheme "
-      "{:.2g} m in "
-      "{:.2g} s.",
+      "At {} cells across the adjoint force with Verlet is {:.2g} "
+      "m off in {:.2g} s, the paper's scheme {:.2g} m in {:.2g} s.",
       cells.back(), a.y.back(), a.x.back(), b.y.back(), b.x.back());
   s.figures = {{"column-work", picture, "Node layout, W1, improved F, β = 0.9, α = 0.5.", jobs}};
   s.tables = {table};

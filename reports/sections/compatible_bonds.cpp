@@ -182,9 +182,9 @@ Section write(const Results& results) {
       "The bond table is projected once, at set-up, onto area vectors that are antisymmetric, closed and "
       "exact; the same "
       "vectors make the deformation gradient and the force (lib/THEORY.md, chapter 11).",
-      "Alternating motion inside a lattice is seen by no table, THEORY (9.4). The hourglass energy, THEORY "
-      "(12.1), "
-      "resists it; it is a potential, so what it does to the energy and to the order is in the checks."};
+      "Alternating motion inside a lattice is seen by no table, THEORY (9.4). "
+      "The hourglass energy, THEORY (12.1), resists it; it is a potential, "
+      "so what it does to the energy and to the order is in the checks."};
   return s;
 }
 

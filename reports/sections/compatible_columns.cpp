@@ -151,9 +151,8 @@ Section write(const Results& results, const std::vector<Case>& all) {
   s.tables = {table};
   s.answer = fmt::format("{} of {} columns by compatible bonds reach their end.", completed, own);
   s.notes = {
-      "Both schemes run on the same nodes; the paper's own runs, on cells, are under Deformed bodies. A run "
-      "that "
-      "ends early is listed with the state it ended in."};
+      "Both schemes run on the same nodes; the paper's own runs, on cells, are under "
+      "Deformed bodies. A run that ends early is listed with the state it ended in."};
   return s;
 }
 

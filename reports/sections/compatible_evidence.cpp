@@ -177,27 +177,21 @@ Section write(const Results& results, const std::vector<Problem>& all) {
   }
   s.tables = {table};
   s.answer = fmt::format(
-      "On clouds that are no lattice compatible bonds pass with order 2 in {} of {} studies. The two schemes "
-      "that are not projected pass in {} of {}; in {} of these their interval excludes order 2, in the "
-      "others it "
-      "does not or a run breaks.",
+      "On clouds that are no lattice compatible bonds pass with order 2 in {} of {} "
+      "studies. The two schemes that are not projected pass in {} of {}; in {} of "
+      "these their interval excludes order 2, in the others it does not or a run breaks.",
       count.passed, count.compatible, count.others_passed, count.others, count.excluded);
   s.notes = {
       "All three run on the same particles and with the same boundary values. Static plates have exact "
       "displacements on the edge and no time, so JST and the integrator do not enter; all others have the "
       "finite-strain body force, but for the linear plate. What does not pass is listed with its verdict.",
-      "Each study of compatible bonds on irregular particles is a check of order 2. That another scheme "
-      "lacks it "
-      "is a check only where the interval excludes order 2 (its upper end is below 1.9): any other verdict "
-      "says "
-      "nothing about that.",
-      "Vortices have free circles. Where particles lie on them (layout node) order 2 is claimed; at an "
-      "amplitude of "
-      "0.5 rad irregular particles need the hourglass energy, THEORY (12.1). On clipped rings (long report) "
-      "no "
-      "particle lies on the circles, facets are extrapolated from the particles nearby, and nothing is "
-      "claimed "
-      "(lib/THEORY.md, chapter 11)."};
+      "Each study of compatible bonds on irregular particles is a check of order 2. "
+      "That another scheme lacks it is a check only where the interval excludes order "
+      "2 (its upper end is below 1.9): any other verdict says nothing about that.",
+      "Vortices have free circles. Where particles lie on them (layout node) order 2 is claimed; "
+      "at an amplitude of 0.5 rad irregular particles need the hourglass energy, THEORY (12.1). "
+      "On clipped rings (long report) no particle lies on the circles, facets are extrapolated "
+      "from the particles nearby, and nothing is claimed (lib/THEORY.md, chapter 11)."};
   return s;
 }
 

@@ -127,9 +127,9 @@ Section write(const Results& results) {
       changes, number_text(worst, 1));
   s.tables = {std::move(table)};
   s.notes = {
-      "Spinning plate, 20 × 20 particles. Each force is followed through the stages of the integrator with "
-      "the "
-      "weights that the state sees, THEORY (8.5), (8.6); what remains of the energy is the integrator's."};
+      "Spinning plate, 20 × 20 particles. Each force is followed through "
+      "the stages of the integrator with the weights that the state sees, "
+      "THEORY (8.5), (8.6); what remains of the energy is the integrator's."};
   return s;
 }
 

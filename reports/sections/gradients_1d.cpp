@@ -110,9 +110,8 @@ Section write(const Results& results) {
     return error_at(rows, "improved", "W1", X) / error_at(rows, "standard", "W1", X);
   };
   s.answer = fmt::format(
-      "At R = 4Δx the improved estimate has {:.3g} of the standard one's error inside (X³) and {:.3g} at the "
-      "first "
-      "particle (X²); the plain bond estimate gives {:.4g} in place of 1 for a linear field.",
+      "At R = 4Δx the improved estimate has {:.3g} of the standard one's error inside (X³) and {:.3g} at "
+      "the first particle (X²); the plain bond estimate gives {:.4g} in place of 1 for a linear field.",
       ratio(cube, inside), ratio(square, first),
       number(row_at(rows_of(line, "bond", "W1"), "X", inside), "value"));
   s.figures = {linear(line),
@@ -121,8 +120,8 @@ Section write(const Results& results) {
                compared(cube, "gradient-cube", "fig5b", "Figure 5b: estimates for x = X³ + 1", false),
                compared(cube, "gradient-cube", "fig5b-error", "Figure 5b as errors: x = X³ + 1", true)};
   s.notes = {
-      "The paper does not state the set-up of Figure 5; that of Figure 4 and the fields X² + 1 and X³ + 1 "
-      "are assumed."};
+      "The paper does not state the set-up of Figure 5; that of "
+      "Figure 4 and the fields X² + 1 and X³ + 1 are assumed."};
   return s;
 }
 

@@ -72,8 +72,8 @@ Section write(const Results& results) {
   const Json &inner = middle.at("rows"), &outer = wall.at("rows");
   Section s;
   s.question =
-      "Do the corrected kernels and their gradients keep constants and linear functions, in the body and at "
-      "its end?";
+      "Do the corrected kernels and their gradients keep "
+      "constants and linear functions, in the body and at its end?";
   s.checks = checks(middle, wall);
   const bool all =
       std::all_of(s.checks.begin(), s.checks.end(), [](const Check& c) { return c.verdict == "pass"; });

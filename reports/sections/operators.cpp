@@ -186,9 +186,8 @@ Section write(const Results& results) {
     return order_text(fit_of(results.json(id), "Div P", "inside"));
   };
   s.answer = fmt::format(
-      "On lattices F and Div P are of second order inside. On jittered clouds Div P has the order {} with "
-      "the paper's "
-      "schemes, {} with the variationally consistent force, {} with compatible bonds.",
+      "On lattices F and Div P are of second order inside. On jittered clouds Div P has the order {} "
+      "with the paper's schemes, {} with the variationally consistent force, {} with compatible bonds.",
       divergence("operators-jitter"), divergence("operators-jitter-variational"),
       divergence("operators-jitter-compatible"));
   s.figures = {figure(results, "operators-lattice-errors", "Lattice, 2D", {"operators-lattice"}),
@@ -196,20 +195,15 @@ Section write(const Results& results) {
                       {"operators-jitter", "operators-jitter-variational", "operators-jitter-compatible"})};
   s.tables = {orders, constraint};
   s.notes = {
-      "Nothing is declared but for the inside of lattices. A force under a uniform stress of order p in this "
-      "unit limits Div P "
-      "to order p − 1: on jittered clouds it is of order 0, so that Div P grows as 1/d. Pointwise "
-      "consistency of Div "
-      "P is not needed for convergence: a Galerkin scheme of linear consistency has an error of order 0 "
-      "there and "
-      "converges all the same (section on compatible bonds).",
-      "At the boundary compatible bonds hold the traction to a constant share of Div P; the other schemes "
-      "spread it "
-      "over several layers of particles, so that their difference from Div P − P B/V grows as 1/d from point "
-      "to "
-      "point.",
-      "The Laplacian of JST has a constant relative error: it is a smoother, no approximation of known "
-      "order."};
+      "Nothing is declared but for the inside of lattices. A force under a uniform stress of order p in "
+      "this unit limits Div P to order p − 1: on jittered clouds it is of order 0, so that Div P grows as "
+      "1/d. Pointwise consistency of Div P is not needed for convergence: a Galerkin scheme of linear "
+      "consistency has an error of order 0 there and converges all the same (section on compatible bonds).",
+      "At the boundary compatible bonds hold the traction to a constant share of "
+      "Div P; the other schemes spread it over several layers of particles, so "
+      "that their difference from Div P − P B/V grows as 1/d from point to point.",
+      "The Laplacian of JST has a constant relative error: "
+      "it is a smoother, no approximation of known order."};
   return s;
 }
 

@@ -113,11 +113,9 @@ Section write(const Results& results) {
   const Measured *best = fastest(mine, 26, 4e4), *other = fastest(theirs, 60, 4e4);
   if (!best || !other) throw MissingResult("no speeds to compare");
   s.answer = fmt::format(
-      "At {:.0f} particles in 3D and {:g} neighbours this code does {} million updates per CPU second; the "
-      "fastest "
-      "other one in the list does {} at {:.0f} particles and {:g} neighbours ({}). Counted in pairs this is "
-      "{} times "
-      "as much.",
+      "At {:.0f} particles in 3D and {:g} neighbours this code does {} million "
+      "updates per CPU second; the fastest other one in the list does {} at {:.0f} "
+      "particles and {:g} neighbours ({}). Counted in pairs this is {} times as much.",
       best->particles, best->neighbours, number_text(best->speed, 2), number_text(other->speed, 2),
       other->particles, other->neighbours, other->code,
       number_text(best->speed * best->neighbours / (other->speed * other->neighbours), 2));

@@ -44,9 +44,9 @@ std::string sample_answer(const Json& sample) {
   const Json& all = sample.at("all");
   const auto percent = [](const Json& share) { return 100 * share.get<double>(); };
   return fmt::format(
-      " Of slips drawn at random from the sources, {} of {} are seen: {:.0f} %, 95 % interval {:.0f} to "
-      "{:.0f} %; before tests were written for those of this very sample it was {:.0f} %, {:.0f} to {:.0f} "
-      "%.",
+      " Of slips drawn at random from the sources, {} of {} are seen: "
+      "{:.0f} %, 95 % interval {:.0f} to {:.0f} %; before tests were written "
+      "for those of this very sample it was {:.0f} %, {:.0f} to {:.0f} %.",
       all.at("killed").get<int>(), all.at("killed").get<int>() + all.at("alive").get<int>(),
       percent(all.at("share")), percent(all.at("interval").at(0)), percent(all.at("interval").at(1)),
       percent(all.at("share_at_first")), percent(all.at("interval_at_first").at(0)),
@@ -99,12 +99,10 @@ Section write(const Results& results) {
     s.answer += sample_answer(sample);
     s.tables.push_back(sample_table(sample));
     s.notes.push_back(fmt::format(
-        "The random sample (verification/faults/sample, seed {}, commit {}): {} drawn, {} do not compile, {} "
-        "are explained as equivalent and count in neither "
-        "column. Intervals are "
-        "Wilson's, 95 %. The first share is a measurement; that after tests were written for what the sample "
-        "had "
-        "shown says nothing about slips that were not drawn.",
+        "The random sample (verification/faults/sample, seed {}, commit {}): {} drawn, {} "
+        "do not compile, {} are explained as equivalent and count in neither column. Intervals "
+        "are Wilson's, 95 %. The first share is a measurement; that after tests were written "
+        "for what the sample had shown says nothing about slips that were not drawn.",
         sample.at("seed").get<long>(), text(sample, "commit"), sample.at("all").at("sampled").get<int>(),
         sample.at("all").at("not_compiled").get<int>(), sample.at("all").at("equivalent").get<int>()));
   }

@@ -32,9 +32,8 @@ const std::vector<Edge>& treatments() {
       {"node-rollers",
        "node, rollers",
        {},
-       "cut supports at the edge: F is of first order there, and a uniform stress leaves a force that is not "
-       "the "
-       "particle's share of the edge"},
+       "cut supports at the edge: F is of first order there, and a uniform "
+       "stress leaves a force that is not the particle's share of the edge"},
       {"node-held",
        "node, outer particles held",
        {"study.held_band=0"},
@@ -148,8 +147,8 @@ Check narrow_check(const std::string& what, const Json& result) {
 Section write(const Results& results, bool long_run) {
   Section s;
   s.question =
-      "Which layout and which treatment of the edge let the swinging plate converge at order 2 at finite "
-      "strain?";
+      "Which layout and which treatment of the edge let the "
+      "swinging plate converge at order 2 at finite strain?";
   const auto plates = edges(long_run);
   DataTable levels = levels_table("edges-levels", "All levels", {}),
             fits = fits_table("edges-fits", "Orders in all norms", {});
@@ -173,8 +172,8 @@ Section write(const Results& results, bool long_run) {
     s.checks.push_back(bound_check(
         fmt::format("W0 against W1, exact band, {} amplitude: relative difference of the L₂ errors", size),
         pair_difference(results, size), 1e-10,
-        "β = 0.6: with nearest neighbours alone (9a) and (9b) leave one table; some thousand steps of "
-        "round-off"));
+        "β = 0.6: with nearest neighbours alone (9a) and (9b) "
+        "leave one table; some thousand steps of round-off"));
   s.figures = {
       levels_figure(results, "mms-edges-small", "Plate, U = 0.01 m, W1", studies_of(plates, "0.01", "W1"),
                     "Finite strain, ν = 0.495, β = 0.6, at 0.18 T."),
@@ -183,21 +182,18 @@ Section write(const Results& results, bool long_run) {
       orders_figure("edges-orders", "Orders in L₂", fits, "l2")};
   s.tables = {edges_table(results, plates), fits, levels};
   s.answer = fmt::format(
-      "Nodes with an exact band along the edge: order 2 in {} of {} studies (two amplitudes, both pairs). "
-      "Other layouts and edges: in {} of {}. β = 0.6 and the time 0.18 T were chosen after a scan, so that "
-      "the next "
-      "term of the error is small.",
+      "Nodes with an exact band along the edge: order 2 in {} of {} studies (two "
+      "amplitudes, both pairs). Other layouts and edges: in {} of {}. β = 0.6 and the "
+      "time 0.18 T were chosen after a scan, so that the next term of the error is small.",
       second, bands, others_second, others);
   s.notes = {
-      "Why edges matter: a particle whose support is cut has an F of first order, and the force under a "
-      "uniform stress next "
-      "to an edge is not its share of the edge (integration constraint). Rollers on nodes leave an error of "
-      "about first "
-      "order on the outer layer, which shows at fine spacings; cells put the wall's value half a spacing "
-      "away, which is first "
-      "order at once. In the exact band neither a free particle nor one it reads has a cut support.",
-      "At β = 0.9 and U = 0.2 m the order is 2.08 [2.02, 2.14], falling to 2.02 between the last two "
-      "levels."};
+      "Why edges matter: a particle whose support is cut has an F of first order, and the force "
+      "under a uniform stress next to an edge is not its share of the edge (integration constraint). "
+      "Rollers on nodes leave an error of about first order on the outer layer, which shows at "
+      "fine spacings; cells put the wall's value half a spacing away, which is first order at "
+      "once. In the exact band neither a free particle nor one it reads has a cut support.",
+      "At β = 0.9 and U = 0.2 m the order is 2.08 [2.02, "
+      "2.14], falling to 2.02 between the last two levels."};
   return s;
 }
 

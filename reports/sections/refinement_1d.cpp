@@ -115,9 +115,8 @@ Section write(const Results& results) {
       errors(f, cubic, method("standard, W1")).y.back() / errors(f, cubic, method("improved, W1")).y.back();
   const Series scaled_errors = errors(r, cubic, method("improved, W1"), "dx");
   s.answer = fmt::format(
-      "With R/Δx fixed the RMSE of the improved estimate falls with order {} (X³ + 1); with R fixed the "
-      "standard "
-      "one is {}, and the improved one ends {:.2g} times below it.",
+      "With R/Δx fixed the RMSE of the improved estimate falls with order {} (X³ + 1); with "
+      "R fixed the standard one is {}, and the improved one ends {:.2g} times below it.",
       order_check("", scaled_errors.x, scaled_errors.y, 1.5).measured, trend(fixed, "standard"), last);
   const std::string scaled = "The support shrinks with the spacing: R = 4Δx.",
                     kept = "The support stays: R = 0.5 m.";
@@ -129,9 +128,9 @@ Section write(const Results& results) {
   s.tables = {fits(ratio, fixed)};
   s.notes = {
       "The paper does not say whether R or R/Δx is kept in Figure 6, so both readings are shown.",
-      "Inside means 2R from both ends. An error of order p on a number of particles that does not grow "
-      "makes the RMSE over all particles of order p + 1/2: why 1.5 is expected of an error of order 1 at the "
-      "ends."};
+      "Inside means 2R from both ends. An error of order p on a number of "
+      "particles that does not grow makes the RMSE over all particles of "
+      "order p + 1/2: why 1.5 is expected of an error of order 1 at the ends."};
   return s;
 }
 

@@ -82,9 +82,8 @@ Figure worst_mode(const Results& results, const std::string& job, const std::str
   const Json& mode = result.at("worst");
   const double smooth = number(result, "lowest_smooth");
   const std::string caption = fmt::format(
-      "The mode that costs least energy: (omega d/c_p)^2 = {:.3g}; {:.0f} % of the motion between neighbours "
-      "is not "
-      "explained by their gradients; {}.",
+      "The mode that costs least energy: (omega d/c_p)^2 = {:.3g}; {:.0f} % of "
+      "the motion between neighbours is not explained by their gradients; {}.",
       number(mode, "value"), 100 * number(mode, "unexplained"),
       std::isnan(smooth) ? "no smooth mode was found" : fmt::format("lowest smooth mode {:.3g}", smooth));
   return {job, mode_picture(mode, scheme), caption, {job}};
@@ -133,10 +132,9 @@ Section write(const Results& results) {
         fmt::format("{}{} {} in 2D and {} in 3D", free.empty() ? "" : "; ", name,
                     betas_without_soft_modes(plates, gradient), betas_without_soft_modes(cubes, gradient));
   s.answer = fmt::format(
-      "The paper's symmetrised force lets a free cube grow by exp({:.3g} t c_p/d) whatever the time step; "
-      "the "
-      "adjoint force has no growth. On lattices and jittered clouds alike, no mode but the rigid ones costs "
-      "nearly no energy with {}.",
+      "The paper's symmetrised force lets a free cube grow by exp({:.3g} t c_p/d) "
+      "whatever the time step; the adjoint force has no growth. On lattices and "
+      "jittered clouds alike, no mode but the rigid ones costs nearly no energy with {}.",
       growth, free);
   s.figures = {worst_mode(results, "worst-plate-standard", "standard F, beta = 1.2, lattice"),
                worst_mode(results, "worst-plate-improved", "improved F, beta = 1.2, jitter 0.2"),

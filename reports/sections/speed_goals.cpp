@@ -113,9 +113,8 @@ Section write(const Results& results) {
   s.tables = {table_of(goals), limits_of(results.json("goals-million"))};
   s.notes = {
       "Whole steps in 3D with 26 neighbours (h = 0.9 spacings), neo-Hookean, double precision: boundaries "
-      "and "
-      "time step control are in it. These are timings, not checks: other programs on the machine make them "
-      "worse, most of all that of two threads, which needs both cores at the same moment."};
+      "and time step control are in it. These are timings, not checks: other programs on the machine "
+      "make them worse, most of all that of two threads, which needs both cores at the same moment."};
   return s;
 }
 

@@ -166,16 +166,15 @@ Section write(const Results& results, const std::vector<Job>& jobs) {
     s.tables.push_back(table_of(study, job.id));
   }
   s.answer = fmt::format(
-      "{:.0f} runs of {} studies were driven to their edge in {:.0f} s of CPU time; the causes are in "
-      "colour.",
+      "{:.0f} runs of {} studies were driven to their edge "
+      "in {:.0f} s of CPU time; the causes are in colour.",
       runs, jobs.size() - 1, cpu);
   s.notes = {
-      "Each cell is bisected until stable and unstable values are as close as the study says. Whether a "
-      "scheme "
-      "becomes stable again beyond its first edge, or loses its stability below one, is not looked for.",
-      "JST limits the step, too (THEORY 6.5). Where its limit lies below that of sound, a larger cfl "
-      "changes "
-      "nothing, and the bar is stable to its top."};
+      "Each cell is bisected until stable and unstable values are as close "
+      "as the study says. Whether a scheme becomes stable again beyond its "
+      "first edge, or loses its stability below one, is not looked for.",
+      "JST limits the step, too (THEORY 6.5). Where its limit lies below that "
+      "of sound, a larger cfl changes nothing, and the bar is stable to its top."};
   for (auto& note : refusals(results, jobs)) s.notes.push_back(std::move(note));
   return s;
 }

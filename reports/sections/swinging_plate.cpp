@@ -147,17 +147,14 @@ Section write(const Results& results) {
   }
   s.figures.push_back(orders_figure("plate-orders", "Orders in L₂", s.tables[0], "l2"));
   s.answer = fmt::format(
-      "In {} of {} studies free of the modelling floor the L₂ order is 2 within its interval; the case as "
-      "printed "
-      "(U = 0.01 m) is judged {}.",
+      "In {} of {} studies free of the modelling floor the L₂ order is 2 "
+      "within its interval; the case as printed (U = 0.01 m) is judged {}.",
       second, judged, printed);
   s.notes = {
       "T = 2π/ω = 39.34 ms; errors are those at 9T/8.",
-      "The paper reports order 2 in L₂ and 0.9 to 1.2 in the H1 seminorm, the latter by Gauss points between "
-      "the particles. "
-      "Columns l2 and h1 are sums over particles, l2_gauss and h1_gauss are the paper's quadrature. Errors "
-      "are "
-      "relative to the exact field, but for the column with a unit."};
+      "The paper reports order 2 in L₂ and 0.9 to 1.2 in the H1 seminorm, the latter by Gauss points "
+      "between the particles. Columns l2 and h1 are sums over particles, l2_gauss and h1_gauss are "
+      "the paper's quadrature. Errors are relative to the exact field, but for the column with a unit."};
   return s;
 }
 

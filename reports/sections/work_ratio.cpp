@@ -180,9 +180,9 @@ Section write(const Results& results, bool long_run) {
       "Of {} errors asked for, compatible bonds reach {} and the paper's scheme {} with the levels computed.",
       wanted, own, others);
   s.notes = {
-      "Between two levels costs are interpolated in logarithms; nothing is extrapolated. An error above the "
-      "coarsest level's costs what that level costs. One run per level: CPU times are repeatable to some per "
-      "cent."};
+      "Between two levels costs are interpolated in logarithms; nothing is "
+      "extrapolated. An error above the coarsest level's costs what that level "
+      "costs. One run per level: CPU times are repeatable to some per cent."};
   return s;
 }
 

@@ -122,9 +122,8 @@ std::map<std::string, std::vector<double>> series_of(const std::filesystem::path
 TEST(Ledger, AWindowIsTheMeanOrTheLargestOfItsRows) {
   const test::TemporaryFolder folder;
   const std::string command =
-      "run verification/scenes/spinning-plate.toml --set scene.end_time=0.02 --set body.particles=[5,5] "
-      "--set "
-      "output.every=0.001";
+      "run verification/scenes/spinning-plate.toml --set scene.end_time=0.02 "
+      "--set body.particles=[5,5] --set output.every=0.001";
   ASSERT_EQ(test::run_shell("cd " + root + " && " PLUMB_EXECUTABLE " " + command + " --out " +
                             (folder / "run").string())
                 .code,

@@ -208,8 +208,8 @@ const std::vector<Call> calls{
     {"extrapolate_noisy",
      "extrapolate --spacings 0.8,0.4,0.2,0.1,0.05 --values 1.61,1.16,1.06,1.01,1.012 --order 2"},
     {"extrapolate_reference",
-     "extrapolate --spacings 0.4,0.2,0.1,0.05 --values 1.16,1.04,1.01,1.0025 --reference 1e-9,1.0 "
-     "--order 2"},
+     "extrapolate --spacings 0.4,0.2,0.1,0.05 --values "
+     "1.16,1.04,1.01,1.0025 --reference 1e-9,1.0 --order 2"},
     {"judge", "judge {}/errors.csv --expect 2"},
     {"judge_limit", "judge {}/errors.csv --limit unknown"},
     {"judge_values", "judge {}/runs.csv --h d --error l2,max --expect 2,1"},

@@ -289,8 +289,7 @@ inline Json Invention::spectrum(const Words& w) {
 inline Json Invention::bench(const Words& w) {
   const auto found = w.find("--case");
   const std::string all =
-      "adjoint-verlet-2d,paper-2d,adjoint-verlet-3d,paper-3d,adjoint-verlet-2d-jittered,adjoint-verlet-3d-"
-      "jittered";
+      "adjoint-verlet-2d,paper-2d,adjoint-verlet-3d,paper-3d,adjoint-verlet-2d-jittered,adjoint-verlet-3d-jittered";
   Json rows = Json::array(), exponents = Json::object(), setup = Json::object(), by_threads = Json::array();
   for (const auto& name : split(found == w.end() ? all : found->second, ','))
     for (const int n : {8000, 64000})

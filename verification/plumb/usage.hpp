@@ -20,9 +20,8 @@ inline constexpr std::array<std::pair<int, const char*>, 3> exit_codes{{
 }};
 
 inline constexpr const char* where_examples_run =
-    "Files named verification/.. are in the source tree and in the folder share/plumbline of an "
-    "installation; "
-    "examples run from the folder that holds them.";
+    "Files named verification/.. are in the source tree and in the folder "
+    "share/plumbline of an installation; examples run from the folder that holds them.";
 
 /// What to try first, in order: a line to copy and what it does. They need no file but those they make.
 std::vector<std::pair<std::string, std::string>> first_calls();

@@ -138,8 +138,8 @@ TEST_CASE("1D, the plain bond estimate does not converge") {
 }
 
 TEST_CASE(
-    "1D, jittered particles: exact for linear fields, order 1, the improved estimate is several times "
-    "better") {
+    "1D, jittered particles: exact for linear fields, "
+    "order 1, the improved estimate is several times better") {
   Discretisation d;
   d.jitter = 0.2;
   const Field linear = parse_field("poly:1,1");

@@ -99,8 +99,8 @@ std::vector<std::string> UpdatedOptions::warnings() const {
   if (form == "og") found.emplace_back("form = \"og\" has modes without energy: tension tears it");
   if (form == "eno" && rotation == "none" && !conservative())
     found.emplace_back(
-        "the sums of form \"eno\" do not turn with the body: a spinning plate gains half of its angular "
-        "momentum");
+        "the sums of form \"eno\" do not turn with the body: "
+        "a spinning plate gains half of its angular momentum");
   if (!conservative() && dissipation == "none")
     found.emplace_back("without dissipation the printed balance lets the motion of a free body grow");
   if (!conservative() && geometry == "advection")

@@ -30,8 +30,8 @@ TEST(ImplicitOptions, Defaults) {
   EXPECT_EQ(o.tolerance, 1e-10);
   EXPECT_EQ(o.first_step(3.0), 0.25);
   EXPECT_EQ(o.in_words(),
-            "equilibrium by Newton's method, 4 steps (halved and grown as needed), residual 1e-10 of "
-            "the forces");
+            "equilibrium by Newton's method, 4 steps (halved "
+            "and grown as needed), residual 1e-10 of the forces");
 }
 
 TEST(ImplicitOptions, ValuesAreRead) {

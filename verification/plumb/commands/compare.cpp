@@ -92,8 +92,8 @@ void add_compare(CLI::App& program, Session& session) {
       {.table = true, .plot = true}, [&session, options] { return compare_action(session, *options); });
   command
       .add_option("a", options->a,
-                  "the first run: its folder (.pvd, .vtp or .vtu files), or one file (.vtp, .vtu, .csv or a "
-                  "LAMMPS dump)")
+                  "the first run: its folder (.pvd, .vtp or .vtu files), "
+                  "or one file (.vtp, .vtu, .csv or a LAMMPS dump)")
       ->type_name("A")
       ->required();
   command
@@ -107,9 +107,8 @@ void add_compare(CLI::App& program, Session& session) {
       ->check(CLI::NonNegativeNumber);
   command
       .add_option("--positions", options->points.positions,
-                  "whether positions are those of the body at rest or those of now (default: current in .vtp "
-                  "and dumps, "
-                  "reference in .vtu and .csv)")
+                  "whether positions are those of the body at rest or those of now "
+                  "(default: current in .vtp and dumps, reference in .vtu and .csv)")
       ->check(CLI::IsMember({"reference", "current"}));
 }
 

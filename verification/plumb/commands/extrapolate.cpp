@@ -93,14 +93,14 @@ void add_extrapolate(CLI::App& program, Session& session) {
       ->check(CLI::PositiveNumber);
   command
       .add_option("--reference", options->reference,
-                  "SPACING,VALUE of a much finer grid: order of the differences to it; refused if its own "
-                  "error counts")
+                  "SPACING,VALUE of a much finer grid: order of the "
+                  "differences to it; refused if its own error counts")
       ->delimiter(',');
   command
       .add_option(
           "--order", options->order,
-          "the order that is declared: with --reference it is judged, else the asymptotic ratio is formed "
-          "with it")
+          "the order that is declared: with --reference it is "
+          "judged, else the asymptotic ratio is formed with it")
       ->check(CLI::PositiveNumber);
   point_to_verdicts(command);
 }

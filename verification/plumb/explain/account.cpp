@@ -193,8 +193,8 @@ std::vector<Statement> account_of(const Scene& scene, const TlsphSimulation<d>& 
   std::vector<Statement> all{body_of(scene, simulation)};
   all.push_back(
       about("material", scene.material.model,
-            fmt::format("mu = {:.4g} Pa, kappa = {:.4g} Pa{}, waves of {:.4g} m/s (pressure) and {:.4g} m/s "
-                        "(shear)",
+            fmt::format("mu = {:.4g} Pa, kappa = {:.4g} Pa{}, waves of "
+                        "{:.4g} m/s (pressure) and {:.4g} m/s (shear)",
                         elastic.shear_modulus(), elastic.bulk_modulus(), own_parameters(scene.material),
                         simulation.solid.elastic.wave_speed(), elastic.shear_wave_speed()),
             "(4.1)"));

@@ -106,8 +106,8 @@ void tell(std::ostream& out, const Json& json) {
   out << (json["estimated_wall_s"].is_null()
               ? std::string("the first steps fail: the run would end unstable at once\n")
               : from_column(
-                    0, fmt::format("It will take {} and the time of its output, by a few steps measured on "
-                                   "this machine",
+                    0, fmt::format("It will take {} and the time of its output, "
+                                   "by a few steps measured on this machine",
                                    expected(json["estimated_wall_s"].get<double>()))) +
                     "\n");
   for (const auto& warning : json["warnings"])

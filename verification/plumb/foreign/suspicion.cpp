@@ -125,8 +125,8 @@ std::string region(const ForeignField<d>& field, const mms::ExactFields<d>& exac
   }
   if (!(all > 0)) return "There is no error.";
   return fmt::format(
-      "{:.0f} % of the squared error lies within two spacings of the boundary, which are {:.0f} % of the "
-      "volume: {}.",
+      "{:.0f} % of the squared error lies within two spacings "
+      "of the boundary, which are {:.0f} % of the volume: {}.",
       100 * edge / all, 100 * edge_volume / volume,
       edge / all > 0.5 && edge / all > 1.5 * edge_volume / volume
           ? "look at boundary values and supports"

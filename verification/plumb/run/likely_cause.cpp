@@ -31,9 +31,8 @@ std::string likely_cause(const Scene& scene, const TlsphSimulation<d>& simulatio
         scene.method.time_step ? fmt::format("time_step = {:.2g} or less", 0.5 * crossing)
                                : std::string("cfl = 0.5"));
   if (scene.method.momentum == "symmetrised" && scene.method.gradient != "compatible" && !scene.method.jst)
-    return "with momentum = \"symmetrised\" motion grows near free faces at any time step; use "
-           "momentum = "
-           "\"adjoint\"";
+    return "with momentum = \"symmetrised\" motion grows near free "
+           "faces at any time step; use momentum = \"adjoint\"";
   return "";
 }
 

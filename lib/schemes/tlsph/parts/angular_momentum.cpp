@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>  // cross
 
-#include "lib/measures/in_space.hpp"
+#include "lib/core/in_space.hpp"
 
 namespace plumb {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lib/core/in_space.hpp"
 #include "lib/measures/budget.hpp"
-#include "lib/measures/in_space.hpp"
 #include "lib/measures/measures.hpp"
 #include "lib/run/run.hpp"
 #include "lib/schemes/tlsph/parts/jst.hpp"
