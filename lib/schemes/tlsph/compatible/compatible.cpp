@@ -6,6 +6,7 @@
 
 #include "lib/geometry/position_text.hpp"
 #include "lib/output/file.hpp"
+#include "lib/schemes/tlsph/compatible/solver/least_change.hpp"
 #include "lib/schemes/tlsph/compatible/solver/projection_cache.hpp"
 
 namespace plumb {
