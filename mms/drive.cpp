@@ -189,7 +189,7 @@ Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Man
   const auto start = std::make_shared<double>(state.time);
   apply_actions(solid, seen_at<d>(start, actions));
   stepper = with_prescribed_motion(std::move(stepper), actions);
-  stepper.step = [start, inner = stepper.step](Solid<d>& body, State<d>& current, double dt) {
+  stepper.step = [start, inner = stepper.step](const Solid<d>& body, State<d>& current, double dt) {
     *start = current.time;
     return inner(body, current, dt);
   };

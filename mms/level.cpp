@@ -217,7 +217,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;
   out.level.steps = simulation.state.step;
-  out.level.pair_evaluations = solid.work.pair_evaluations;
+  out.level.pair_evaluations = body.stepper.workspace->work.pair_evaluations;
   if (result.failure)
     out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
   out.values = nodal_values<d>(solid, simulation.state, solution.first_piola);

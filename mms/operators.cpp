@@ -23,13 +23,15 @@ constexpr double rim = 0.25;
 
 /// Force per unit volume at every particle.
 template <int d>
-std::vector<Vec<d>> forces(Solid<d>& solid, State<d>& state) {
+std::vector<Vec<d>> forces(const Solid<d>& solid, State<d>& state) {
   std::vector<Vec<d>> by_slot(static_cast<std::size_t>(solid.bonds.slots.count()), Vec<d>::Zero()), f;
-  const bool sound = evaluate(solid, state, 0.0, [&](const Block& block, BlockForce<d>& force) {
-    for (Index i = block.begin(); i < block.end(); ++i)
-      for (int k = 0; k < d; ++k) by_slot[static_cast<std::size_t>(i)][k] = force(k, i);
-  });
-  if (!sound)
+  Workspace<d> workspace;
+  const Outcome outcome =
+      evaluate(solid, workspace, state, 0.0, [&](const Block& block, BlockForce<d>& force) {
+        for (Index i = block.begin(); i < block.end(); ++i)
+          for (int k = 0; k < d; ++k) by_slot[static_cast<std::size_t>(i)][k] = force(k, i);
+      });
+  if (!outcome)
     throw InputError("the estimate of F turns a particle inside out",
                      "the exact field is too steep for this spacing", "Use finer spacings.");
   for (Index i = 0; i < solid.cloud.size(); ++i)
@@ -114,7 +116,7 @@ template <int d>
 double constraint_defect(Solid<d>& solid, State<d>& state, const Domain<d>& domain) {
   Term<d> uniform;
   uniform.name = "uniform stress";
-  uniform.stress = [](const Solid<d>&, const Block& block, const State<d>&, StressWindow& P) {
+  uniform.stress = [](const Solid<d>&, const Block& block, const Instant<d>&, StressWindow& P) {
     for (int a = 0; a < d; ++a)
       for (int b = 0; b < d; ++b)
         std::fill_n(P[a * d + b] + P.place(block.begin()), block.end() - block.begin(), a == b ? 1.0 : 0.0);

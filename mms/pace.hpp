@@ -17,8 +17,9 @@ class Pace {
   /// 0.1 us.
   void tell() const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    sitting_.check(simulation_.state.time / *simulation_.control.end_time,
-                   static_cast<double>(simulation_.solid.work.pair_evaluations) / elapsed.count());
+    sitting_.check(
+        simulation_.state.time / *simulation_.control.end_time,
+        static_cast<double>(simulation_.stepper.workspace->work.pair_evaluations) / elapsed.count());
   }
 
  private:

@@ -24,17 +24,17 @@ void add(const BudgetPart& part, BudgetPart& to) {
 
 /// Power of the stress on the rate of the deformation gradient, sum V P : F(v), of one block [W].
 template <int d, int W>
-double stress_power(const Solid<d>& solid, const Block& block, const State<d>& state) {
+double stress_power(const Solid<d>& solid, const StressWindow& P, const Block& block, const State<d>& state) {
   Pack<W> sum(0);
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     Mat<d, Pack<W>> F = deformation_gradient<d, W>(solid.bonds, state.v, pack);
     if (solid.bonds.mirror)
       add_image_gradient<d, W>(*solid.bonds.mirror, solid.bonds.row[pack], state.v, pack, F);
     const double* identity = solid.bonds.identity.data() + solid.bonds.row[pack] * Index{d * d * W};
-    const Index place = solid.P.place(pack * W);
+    const Index place = P.place(pack * W);
     Pack<W> power(0);
     for (int n = 0; n < d * d; ++n)
-      power += Pack<W>::load(solid.P[n] + place) * (F(n / d, n % d) - Pack<W>::load(identity + Index{n} * W));
+      power += Pack<W>::load(P[n] + place) * (F(n / d, n % d) - Pack<W>::load(identity + Index{n} * W));
     sum += power * Pack<W>::load(solid.volume.data() + pack * W);
   }
   double total = 0;
@@ -116,13 +116,14 @@ Term<d> probe(const std::shared_ptr<Account>& account, std::size_t part) {
   term.name = "budget";
   term.bytes = account->impulse[part].bytes() + account->last[part].bytes();
   if (part == 0)
-    term.first = [account](const Solid<d>&, const Block& block, const State<d>&, double) {
+    term.first = [account](const Solid<d>&, const Block& block, const Instant<d>&) {
       if (block.first_pack == 0) ++account->evaluation;  // read when the first phase is over, in all threads
     };
-  term.second = [account, part](const Solid<d>& solid, const Block& block, const State<d>& state, double,
+  term.second = [account, part](const Solid<d>& solid, const Block& block, const Instant<d>& now,
                                 BlockForce<d>& force) {
     account->add_force(part, block, force);
-    if (part == account->last_internal) account->add_defect(block, force_power(solid, block, state, force));
+    if (part == account->last_internal)
+      account->add_defect(block, force_power(solid, block, now.state, force));
   };
   return term;
 }
@@ -157,10 +158,10 @@ Budget<d>::Budget(Solid<d>& solid, const State<d>& state, const std::vector<doub
   }
   Term<d> power;  // the last one, so that the terms have added to the stress
   power.name = "budget";
-  power.stress = [account = account_](const Solid<d>& body, const Block& block, const State<d>& now,
-                                      StressWindow&) {
-    const double sum = body.bonds.width == 1 ? stress_power<d, 1>(body, block, now)
-                                             : stress_power<d, native_width>(body, block, now);
+  power.stress = [account = account_](const Solid<d>& body, const Block& block, const Instant<d>& now,
+                                      StressWindow& P) {
+    const double sum = body.bonds.width == 1 ? stress_power<d, 1>(body, P, block, now.state)
+                                             : stress_power<d, native_width>(body, P, block, now.state);
     account->power[block.begin() / block_slots] = sum;
   };
   terms.push_back(std::move(power));

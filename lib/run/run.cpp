@@ -151,7 +151,7 @@ RunResult step_to_the_end(const Steps& steps, const StepControl& control,
 }
 
 template <int d>
-RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
               const Observer<d>& observe, RunHistory& history) {
   if (control.energy_bound && !history.initial_energy)
     history.initial_energy = energy_of(solid, state).total();
@@ -162,7 +162,7 @@ RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const
 }
 
 template <int d>
-Steps steps_of(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
                ClosestPairs<d>& closest) {
   return {[&] {
             return Moment{state.time, state.step};
@@ -170,8 +170,9 @@ Steps steps_of(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, cons
           [&](double time) { state.time = time; },
           [&] { return next_time_step(solid, state, control, closest); },
           [&](double dt) -> std::optional<Failure> {
-            if (stepper.step(solid, state, dt)) return std::nullopt;
-            return unsound(solid.unsound, state.time, state.step);
+            const Outcome outcome = stepper.step(solid, state, dt);
+            if (outcome) return std::nullopt;
+            return unsound(*outcome.unsound, state.time, state.step);
           },
           [&](const RunHistory& history) { return out_of_bounds(solid, state, control, history); }};
 }
@@ -180,12 +181,14 @@ template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl
 template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl&);
 template double next_time_step<2>(const Solid<2>&, const State<2>&, const StepControl&, ClosestPairs<2>&);
 template double next_time_step<3>(const Solid<3>&, const State<3>&, const StepControl&, ClosestPairs<3>&);
-template RunResult run<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, const Observer<2>&,
-                          RunHistory&);
-template RunResult run<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, const Observer<3>&,
-                          RunHistory&);
+template RunResult run<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
+                          const Observer<2>&, RunHistory&);
+template RunResult run<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
+                          const Observer<3>&, RunHistory&);
 
-template Steps steps_of<2>(Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&, ClosestPairs<2>&);
-template Steps steps_of<3>(Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&, ClosestPairs<3>&);
+template Steps steps_of<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
+                           ClosestPairs<2>&);
+template Steps steps_of<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
+                           ClosestPairs<3>&);
 
 }  // namespace plumb

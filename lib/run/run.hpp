@@ -103,17 +103,17 @@ double next_time_step(const Solid<d>& solid, const State<d>& state, const StepCo
 
 /// The steps of a total Lagrangian body. All of its arguments must outlive them.
 template <int d>
-Steps steps_of(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
                ClosestPairs<d>& closest);
 
 /// Steps until the end. On failure the state is the last good one.
 template <int d>
-RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
               const Observer<d>& observe, RunHistory& history);
 
 /// The same for a run that begins here.
 template <int d>
-RunResult run(Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
+RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
               const Observer<d>& observe = {}) {
   RunHistory none;
   return run(solid, state, stepper, control, observe, none);

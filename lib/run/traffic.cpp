@@ -8,8 +8,8 @@ double bytes_per_update(const Solid<d>& solid, const Stepper<d>& stepper) {
   double bytes = real * d            // u is read
                  + 2 * real * d * d  // P is written and read
                  + real * d * stepper.vectors_moved;
-  if (solid.F.components()) bytes += 2 * real * d * d;
-  if (solid.stored_force.components()) bytes += 2 * real * d;
+  if (stores_F(solid.terms)) bytes += 2 * real * d * d;
+  if (stores_force(solid.terms)) bytes += 2 * real * d;
   if (solid.bonds.width == 1) {
     const double neighbours =
         static_cast<double>(solid.bonds.pairs) / static_cast<double>(solid.cloud.size());

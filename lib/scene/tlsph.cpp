@@ -165,12 +165,14 @@ TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<
   apply_actions(simulation.solid, simulation.actions);
   simulation.stepper =
       with_prescribed_motion(stepper_named<d>(scene.method.integrator, simulation.solid), simulation.actions);
+  prepare(*simulation.stepper.workspace, simulation.solid, simulation.solid.terms);
   return simulation;
 }
 
 template <int d>
 std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation) {
   const Solid<d>& solid = simulation.solid;
+  const Workspace<d>& workspace = *simulation.stepper.workspace;
   std::vector<ArrayEntry> arrays = {
       {"reference positions and volumes",
        solid.cloud.X.size() * sizeof(Vec<d>) + solid.cloud.V.size() * sizeof(double)},
@@ -179,10 +181,10 @@ std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation) {
       {"bond table, in the order of the loops", solid.sweeps.bytes},
       {"displacement", simulation.state.u.bytes()},
       {"velocity", simulation.state.v.bytes()},
-      {"first Piola-Kirchhoff stress, a window", solid.P.bytes()},
+      {"first Piola-Kirchhoff stress, a window", workspace.P.bytes()},
       {"integrator " + std::string(simulation.stepper.name), simulation.stepper.bytes}};
-  if (solid.F.components()) arrays.push_back({"deformation gradient", solid.F.bytes()});
-  if (solid.stored_force.components()) arrays.push_back({"force", solid.stored_force.bytes()});
+  if (stores_F(solid.terms)) arrays.push_back({"deformation gradient", workspace.F.bytes()});
+  if (stores_force(solid.terms)) arrays.push_back({"force", workspace.stored_force.bytes()});
   for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
   arrays.push_back(
       {"prescribed velocities", simulation.supports.size() * (sizeof(Support<d>) + sizeof(HeldPlace<d>))});

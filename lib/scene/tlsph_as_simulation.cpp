@@ -51,7 +51,7 @@ template <int d>
 SavedState save(const Followed<d>& followed) {
   const Solid<d>& solid = followed.body->solid;
   const State<d>& state = followed.body->state;
-  SavedState saved{{state.time, state.step}, solid.work, {}};
+  SavedState saved{{state.time, state.step}, followed.body->stepper.workspace->work, {}};
   saved.fields.push_back(gathered("displacement", solid, state.u));
   saved.fields.push_back(gathered("velocity", solid, state.v));
   const auto& carried = followed.body->stepper.carried;
@@ -80,7 +80,7 @@ void restore(Followed<d>& followed, const SavedState& saved) {
     scatter(solid, integrator, carried);
     followed.body->stepper.carry(carried);
   }
-  solid.work = saved.work;
+  followed.body->stepper.workspace->work = saved.work;
   const SavedField* supports = field_named(saved.fields, "supports");
   if (!supports || supports->values.size() != 2)
     throw InputError("the checkpoint has no work of supports", "", "start the run anew, without --resume");
@@ -130,7 +130,7 @@ bool has_other_work(const TlsphSimulation<d>& body) {
 template <int d>
 Counts counts_of(const TlsphSimulation<d>& body) {
   const auto& bonds = body.solid.bonds;
-  return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.solid.work,
+  return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.stepper.workspace->work,
           bytes_per_update(body.solid, body.stepper)};
 }
 

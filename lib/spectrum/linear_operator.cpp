@@ -59,7 +59,7 @@ Eigen::VectorXd LinearOperator<d>::response(const Eigen::VectorXd* a, const Eige
     state_.v[components_[n].axis][slot] = b ? (*b)[n] * speed : 0.0;
   }
   Field force = solid_.make_field(d);
-  evaluate(solid_, state_, 0.0, [&](const Block& block, BlockForce<d>& f) {
+  evaluate(solid_, workspace_, state_, 0.0, [&](const Block& block, BlockForce<d>& f) {
     for (int k = 0; k < d; ++k)
       for (Index i = block.begin(); i < block.end(); ++i) force[k][i] = f(k, i);
   });

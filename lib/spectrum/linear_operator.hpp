@@ -52,6 +52,7 @@ class LinearOperator {
   Solid<d> solid_;
   Sweeps<d> own_sweeps_;  ///< of the material itself
   State<d> state_;
+  Workspace<d> workspace_;
   std::vector<Component> components_;
   Eigen::VectorXd at_rest_;  ///< response of the reference state: not zero if F(X) is not I
   bool damped_ = false;

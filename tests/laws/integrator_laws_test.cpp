@@ -32,11 +32,10 @@ Term<2> load(const Solid<2>& solid) {
   term.name = "load";
   std::vector<Index> slots;
   for (Index i = 0; i < solid.cloud.size(); ++i) slots.push_back(solid.bonds.slots.of(i));
-  term.second = [slots](const Solid<2>&, const Block& block, const State<2>&, double time,
-                        BlockForce<2>& force) {
+  term.second = [slots](const Solid<2>&, const Block& block, const Instant<2>& now, BlockForce<2>& force) {
     for (const Index slot : slots)
       if (slot >= block.begin() && slot < block.end())
-        force(1, slot) += 3e6 * std::cos(2 * 3.14159 * time / 1.3e-3);
+        force(1, slot) += 3e6 * std::cos(2 * 3.14159 * now.time / 1.3e-3);
   };
   return term;
 }
@@ -49,8 +48,10 @@ std::vector<Vec<2>> displacements(int n) {
   State<2> state = make_state(solid);
   testing::deform(solid, state, 0.05);  // released from a strained state: the stress drives the motion too
   typename T::template Stepper<2> stepper(solid);
+  Workspace<2> workspace;
   for (int k = 0; k < n; ++k)
-    if (!stepper.step(solid, state, end / n)) throw std::runtime_error("the test's motion is not sound");
+    if (!stepper.step(solid, workspace, state, end / n))
+      throw std::runtime_error("the test's motion is not sound");
   std::vector<Vec<2>> u;
   for (Index i = 0; i < solid.cloud.size(); ++i) u.push_back(vector_at<2>(state.u, solid.bonds.slots.of(i)));
   return u;
@@ -81,10 +82,12 @@ TYPED_TEST(IntegratorLaws, CountsItsEvaluations) {
   Solid<2> solid = testing::rubber_block<2>(4, Layout::node, 0);
   State<2> state = make_state(solid);
   Stepper stepper(solid);
-  stepper.step(solid, state, 1e-6);  // the first step may need one more
-  const auto before = solid.work.particle_evaluations;
-  for (int k = 0; k < 5; ++k) stepper.step(solid, state, 1e-6);
-  EXPECT_EQ(solid.work.particle_evaluations - before, 5 * Stepper::evaluations_per_step * solid.cloud.size());
+  Workspace<2> workspace;
+  stepper.step(solid, workspace, state, 1e-6);  // the first step may need one more
+  const auto before = workspace.work.particle_evaluations;
+  for (int k = 0; k < 5; ++k) stepper.step(solid, workspace, state, 1e-6);
+  EXPECT_EQ(workspace.work.particle_evaluations - before,
+            5 * Stepper::evaluations_per_step * solid.cloud.size());
   EXPECT_EQ(state.step, 6);
   EXPECT_NEAR(state.time, 6e-6, 1e-18);
 }
@@ -94,8 +97,9 @@ TYPED_TEST(IntegratorLaws, CountsItsEvaluations) {
 Term<2> linear_force(double rate, bool oscillates) {
   Term<2> term;
   term.name = "linear force";
-  term.second = [rate, oscillates](const Solid<2>& solid, const Block& block, const State<2>& state, double,
+  term.second = [rate, oscillates](const Solid<2>& solid, const Block& block, const Instant<2>& now,
                                    BlockForce<2>& force) {
+    const State<2>& state = now.state;
     const double rho = solid.elastic.density;
     for (int k = 0; k < 2; ++k)
       for (Index i = block.begin(); i < block.end(); ++i)
@@ -115,8 +119,9 @@ bool grows(double lambda_dt, bool oscillates) {
   const Index probe = solid.bonds.slots.of(5);
   state.v[0][probe] = 1e-6;
   typename T::template Stepper<2> stepper(solid);
+  Workspace<2> workspace;
   for (int step = 0; step < 400; ++step)
-    if (!stepper.step(solid, state, dt)) return true;
+    if (!stepper.step(solid, workspace, state, dt)) return true;
   const double speed = std::abs(state.v[0][probe]), position = std::abs(state.u[0][probe]) * lambda_dt / dt;
   // a bounded oscillation near its limit has at most 1/sqrt(1 - 0.98^2) = 5 times its first amplitude
   return speed > 1e-4 || (oscillates && position > 1e-4);

@@ -62,10 +62,12 @@ TEST(PolarCloud, IsMadeCompatible) {
   G << 0.3, -0.1, 0.2, 0.1;
   for (Index i = 0; i < cloud.size(); ++i) set_vector<2>(simulation.state.u, i, G * cloud.X[i]);
   double worst = 0;
-  ASSERT_TRUE(evaluate(solid, simulation.state, 0, [&](const Block& block, BlockForce<2>& f) {
+  Workspace<2> workspace;
+  ASSERT_TRUE(evaluate(solid, workspace, simulation.state, 0, [&](const Block& block, BlockForce<2>& f) {
     for (Index i = block.begin(); i < block.end(); ++i)
       if (i >= 63 && i < cloud.size() - 63)
-        worst = std::max(worst, std::hypot(f(0, i), f(1, i)) * cloud.spacing / std::abs(solid.P.at(0, i)));
+        worst =
+            std::max(worst, std::hypot(f(0, i), f(1, i)) * cloud.spacing / std::abs(workspace.P.at(0, i)));
   }));
   EXPECT_LT(worst, 1e-10);  // issue 7
   for (Index i = 0; i < cloud.size(); ++i)

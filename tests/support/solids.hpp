@@ -66,16 +66,22 @@ void deform(const Solid<d>& solid, State<d>& state, double size) {
 
 /// Force per unit volume of every particle.
 template <int d>
-std::vector<Vec<d>> forces(Solid<d>& solid, State<d>& state) {
+std::vector<Vec<d>> forces(const Solid<d>& solid, State<d>& state, Workspace<d>& workspace) {
   std::vector<Vec<d>> f(solid.bonds.slots.count(), Vec<d>::Zero());
-  const bool sound = evaluate(solid, state, state.time, [&](const Block& block, BlockForce<d>& force) {
-    for (Index i = block.begin(); i < block.end(); ++i)
-      for (int k = 0; k < d; ++k) f[i][k] = force(k, i);
-  });
-  if (!sound) throw std::runtime_error("the test's deformation is not sound");
+  const Outcome outcome =
+      evaluate(solid, workspace, state, state.time, [&](const Block& block, BlockForce<d>& force) {
+        for (Index i = block.begin(); i < block.end(); ++i)
+          for (int k = 0; k < d; ++k) f[i][k] = force(k, i);
+      });
+  if (!outcome) throw std::runtime_error("the test's deformation is not sound");
   std::vector<Vec<d>> by_particle;
   for (Index i = 0; i < solid.cloud.size(); ++i) by_particle.push_back(f[solid.bonds.slots.of(i)]);
   return by_particle;
+}
+template <int d>
+std::vector<Vec<d>> forces(const Solid<d>& solid, State<d>& state) {
+  Workspace<d> workspace;
+  return forces(solid, state, workspace);
 }
 
 }  // namespace plumb::testing

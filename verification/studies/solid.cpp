@@ -66,10 +66,11 @@ UniformStress uniform_stress_force(const CloudKind& kind, const Scheme& scheme, 
   const Mat<d> A = stretched_and_turned<d>();
   for (Index i = 0; i < solid.cloud.size(); ++i)
     set_vector<d>(state.u, solid.bonds.slots.of(i), (A - Mat<d>::Identity()) * solid.cloud.X[i]);
-  const auto f = plumb::testing::forces(solid, state);
+  Workspace<d> workspace;
+  const auto f = plumb::testing::forces(solid, state, workspace);
   double stress = 0;
   for (int a = 0; a < d * d; ++a)
-    stress = std::max(stress, std::abs(solid.P.at(a, solid.bonds.slots.of(solid.cloud.size() - 1))));
+    stress = std::max(stress, std::abs(workspace.P.at(a, solid.bonds.slots.of(solid.cloud.size() - 1))));
   UniformStress result;
   const double rim = 4 * solid.smoothing_length + solid.cloud.spacing;
   for (Index i = 0; i < solid.cloud.size(); ++i) {

@@ -41,18 +41,21 @@ template <int d>
 struct Asked {
   Solid<d> solid;
   State<d> state;
+  Workspace<d> workspace = {};
+  Outcome outcome = {};  ///< of the last residual
 };
 
 template <int d>
 std::optional<Eigen::VectorXd> residual_of(Asked<d>& asked, const Eigen::VectorXd& u) {
-  Solid<d>& solid = asked.solid;
+  const Solid<d>& solid = asked.solid;
   set_unknowns(solid, u, asked.state.u);
   Field force = solid.make_field(d);
-  const bool sound = evaluate(solid, asked.state, 0, [&](const Block& block, BlockForce<d>& of_block) {
-    for (int k = 0; k < d; ++k)
-      std::copy_n(of_block.at(k, block.begin()), block.end() - block.begin(), force[k] + block.begin());
-  });
-  if (!sound) return std::nullopt;
+  asked.outcome =
+      evaluate(solid, asked.workspace, asked.state, 0, [&](const Block& block, BlockForce<d>& of_block) {
+        for (int k = 0; k < d; ++k)
+          std::copy_n(of_block.at(k, block.begin()), block.end() - block.begin(), force[k] + block.begin());
+      });
+  if (!asked.outcome) return std::nullopt;
   Eigen::VectorXd result(u.size());
   for (Index i = 0; i < solid.cloud.size(); ++i)
     result.segment<d>(d * i) = -solid.cloud.V[i] * vector_at<d>(force, solid.bonds.slots.of(i));
@@ -77,7 +80,7 @@ StoredEnergy<d> stored_energy(const Solid<d>& body) {
   };
   made.residual = [asked](const Eigen::VectorXd& u) { return residual_of(*asked, u); };
   made.tangent = solid.sweeps.tangent;
-  made.unsound = [asked] { return asked->solid.unsound; };
+  made.unsound = [asked] { return asked->outcome.unsound.value(); };
   made.round_off = energy_round_off(solid);
   return made;
 }

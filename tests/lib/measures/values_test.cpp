@@ -141,7 +141,7 @@ Term<d> push_term(const Solid<d>& solid) {
   term.name = "push";
   std::vector<Vec<d>> f(solid.bonds.slots.count(), Vec<d>::Zero());
   for (Index i = 0; i < solid.cloud.size(); ++i) f[solid.bonds.slots.of(i)] = push<d>(solid.cloud.X[i]);
-  term.second = [f](const Solid<d>&, const Block& block, const State<d>&, double, BlockForce<d>& force) {
+  term.second = [f](const Solid<d>&, const Block& block, const Instant<d>&, BlockForce<d>& force) {
     for (Index i = block.begin(); i < block.end(); ++i)
       for (int k = 0; k < d; ++k) force(k, i) += f[i][k];
   };

@@ -134,7 +134,8 @@ test::PlainChoices plain_choices(const Row& row) {
 template <int d>
 std::vector<Vec<d>> forces_of(TlsphSimulation<d>& body) {
   std::vector<Vec<d>> by_slot(body.solid.bonds.slots.count(), Vec<d>::Zero()), f;
-  EXPECT_TRUE(evaluate(body.solid, body.state, 0.0, [&](const Block& block, BlockForce<d>& force) {
+  Workspace<d> workspace;
+  EXPECT_TRUE(evaluate(body.solid, workspace, body.state, 0.0, [&](const Block& block, BlockForce<d>& force) {
     for (Index i = block.begin(); i < block.end(); ++i)
       for (int k = 0; k < d; ++k) by_slot[i][k] = force(k, i);
   }));

@@ -94,7 +94,8 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
   speed.setup_cpu_s = setup.cpu_s();
   speed.setup_wall_s = setup.wall_s();
   set_in_motion(simulation);
-  Solid<d>& solid = simulation.solid;
+  const Solid<d>& solid = simulation.solid;
+  const Work& work = simulation.stepper.workspace->work;
   speed.particles = solid.cloud.size();
   speed.threads = threads;
   speed.bytes_per_particle =
@@ -104,12 +105,12 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
   speed.flops_per_update = pairs * (d + 4.0 * d * d);
   long steps = 2;
   for (int n = 0; n <= repeats; ++n) {  // the first one warms up and says how many steps to take
-    const std::int64_t before = solid.work.particle_evaluations;
+    const std::int64_t before = work.particle_evaluations;
     simulation.control.max_steps = simulation.state.step + steps;
     const Clock clock;
     run(solid, simulation.state, simulation.stepper, simulation.control);
     const double cpu = clock.cpu_s(), wall = clock.wall_s();
-    const auto updates = static_cast<double>(solid.work.particle_evaluations - before);
+    const auto updates = static_cast<double>(work.particle_evaluations - before);
     if (n == 0) {
       steps = std::clamp(std::lround(static_cast<double>(steps) * seconds / std::max(cpu, 1e-6)), 2L, 20000L);
       continue;

@@ -55,7 +55,8 @@ void for_blocks(Solid<3>& solid, auto&& f) {
 void stress_kernel(Body& body) {
   auto& solid = body.simulation.solid;
   for_blocks(solid, [&](const Block& block) {
-    solid.sweeps.stress(solid.bonds, body.simulation.state.u, block, solid.P, nullptr);
+    solid.sweeps.stress(solid.bonds, body.simulation.state.u, block, body.simulation.stepper.workspace->P,
+                        nullptr);
   });
 }
 
@@ -63,7 +64,7 @@ void force_kernel(Body& body) {
   auto& solid = body.simulation.solid;
   for_blocks(solid, [&](const Block& block) {
     BlockForce<3> force(block);
-    solid.sweeps.force(solid.bonds, solid.P, block, force);
+    solid.sweeps.force(solid.bonds, body.simulation.stepper.workspace->P, block, force);
     benchmark::DoNotOptimize(force(0, block.begin()));
   });
 }
@@ -141,8 +142,8 @@ std::vector<KernelTime> measure_kernels(long particles, double seconds) {
   long count = 0;
   for (const bool irregular : {false, true}) {
     const auto body = std::make_shared<Body>(block(particles, irregular));
-    body->simulation.solid.P = StressWindow(9, body->simulation.solid.blocks(),
-                                            body->simulation.solid.blocks(), 1);  // all stresses at once
+    body->simulation.stepper.workspace->P = StressWindow(
+        9, body->simulation.solid.blocks(), body->simulation.solid.blocks(), 1);  // all stresses at once
     count = body->cloud.size();
     const auto add = [&](const char* name, const std::function<void(Body&)>& kernel) {
       const std::string full = fmt::format("{}/{}", name, irregular ? "jittered" : "lattice");

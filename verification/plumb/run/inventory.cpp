@@ -39,8 +39,8 @@ Parts parts_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
   add(has_term("supports"), "boundary");
   add(has_term("mirror"), "mirror");
   add(scene.relaxation.has_value(), "relaxation");
-  add(simulation.solid.F.components() > 0, "stored deformation gradient");
-  add(simulation.solid.stored_force.components() > 0, "stored force");
+  add(stores_F(simulation.solid.terms), "stored deformation gradient");
+  add(stores_force(simulation.solid.terms), "stored force");
   add(output.series, "series");
   add(output.budget, "budget");
   add(output.vtk, "vtk");

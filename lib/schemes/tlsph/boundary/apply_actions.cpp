@@ -62,11 +62,11 @@ struct Loads {
     }
   }
 
-  void add_surface_loads(const Solid<d>& solid, const Block& block, double time, BlockForce<d>& force) const {
+  void add_surface_loads(const Block& block, const Instant<d>& now, BlockForce<d>& force) const {
     for (auto at = first_in(surface, block.begin()); at != surface.end() && at->slot < block.end(); ++at) {
       const SurfaceLoad<d>& load = actions.surface[at->load];
-      Vec<d> t = load.steady ? at->steady_value : value(*at, time);
-      if (load.pressure) t = -t[0] * (cofactor(gradient_at(solid.F, at->slot)) * at->normal);
+      Vec<d> t = load.steady ? at->steady_value : value(*at, now.time);
+      if (load.pressure) t = -t[0] * (cofactor(gradient_at(now.workspace.F, at->slot)) * at->normal);
       for (int k = 0; k < d; ++k) force(k, at->slot) += at->per_volume * t[k];
     }
   }
@@ -141,10 +141,10 @@ Term<d> load_term(const Solid<d>& solid, const Actions<d>& actions) {
                loads->steady.bytes();
   term.needs_F = std::any_of(actions.surface.begin(), actions.surface.end(),
                              [](const auto& load) { return static_cast<bool>(load.pressure); });
-  term.second = [loads](const Solid<d>& body, const Block& block, const State<d>&, double time,
+  term.second = [loads](const Solid<d>& body, const Block& block, const Instant<d>& now,
                         BlockForce<d>& force) {
-    loads->add_body_forces(body, block, time, force);
-    loads->add_surface_loads(body, block, time, force);
+    loads->add_body_forces(body, block, now.time, force);
+    loads->add_surface_loads(block, now, force);
   };
   return term;
 }
@@ -170,13 +170,14 @@ Term<d> held_term(const Solid<d>& solid, const Actions<d>& actions) {
   Term<d> term;
   term.name = "supports";
   term.bytes = entries->size() * sizeof(HeldEntry<d>);
-  term.second = [entries, held](const Solid<d>& body, const Block& block, const State<d>&, double time,
+  term.second = [entries, held](const Solid<d>& body, const Block& block, const Instant<d>& now,
                                 BlockForce<d>& force) {
     for (auto at = first_in(*entries, block.begin()); at != entries->end() && at->slot < block.end(); ++at) {
       const Held<d>& boundary = (*held)[at->held];
       force(at->component, at->slot) =
-          boundary.steady ? 0
-                          : body.elastic.density * boundary.motion(at->at, at->component, time).acceleration;
+          boundary.steady
+              ? 0
+              : body.elastic.density * boundary.motion(at->at, at->component, now.time).acceleration;
     }
   };
   return term;
@@ -208,10 +209,10 @@ Stepper<d> with_prescribed_motion(Stepper<d> stepper, const Actions<d>& actions)
   const bool moves = std::any_of(actions.held.begin(), actions.held.end(),
                                  [](const Held<d>& held) { return !held.steady && !held.places.empty(); });
   if (!moves) return stepper;
-  stepper.step = [inner = stepper.step, actions](Solid<d>& solid, State<d>& state, double dt) {
-    if (!inner(solid, state, dt)) return false;
-    impose(solid, actions, state, false);
-    return true;
+  stepper.step = [inner = stepper.step, actions](const Solid<d>& solid, State<d>& state, double dt) {
+    const Outcome outcome = inner(solid, state, dt);
+    if (outcome) impose(solid, actions, state, false);
+    return outcome;
   };
   return stepper;
 }

@@ -35,15 +35,13 @@ OpenForces<d>::OpenForces(const Solid<d>& solid, const Actions<d>& actions)
 }
 
 template <int d>
-std::optional<Field> OpenForces<d>::at(Solid<d>& solid, State<d>& state) const {
+std::optional<Field> OpenForces<d>::at(const Solid<d>& solid, State<d>& state) const {
   Field open = solid.make_field(d);
-  auto terms = std::exchange(solid.terms, terms_);
-  const Work work = solid.work;
-  const bool sound = evaluate(solid, state, state.time,
-                              [&](const Block& block, BlockForce<d>& force) { keep(block, force, open); });
-  solid.terms = std::move(terms);
-  solid.work = work;
-  if (!sound) return std::nullopt;
+  Workspace<d> workspace;
+  const Outcome outcome =
+      evaluate(solid, terms_, workspace, state, state.time,
+               [&](const Block& block, BlockForce<d>& force) { keep(block, force, open); });
+  if (!outcome) return std::nullopt;
   return open;
 }
 

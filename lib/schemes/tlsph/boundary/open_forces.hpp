@@ -16,8 +16,8 @@ class OpenForces {
   OpenForces(const Solid<d>& solid, const Actions<d>& actions);
 
   /// Returns the force per reference volume of every slot in this state [N/m^d]; nullopt if some J is not
-  /// positive. The work of the body does not count it.
-  std::optional<Field> at(Solid<d>& solid, State<d>& state) const;
+  /// positive. The work of the steps does not count it.
+  std::optional<Field> at(const Solid<d>& solid, State<d>& state) const;
   /// Returns the part of it that the loads have.
   Field of_loads(const Solid<d>& solid, const State<d>& state) const;
   /// Returns the force of the supports of each boundary on the body [N] (per metre of thickness in 2D), in

@@ -54,7 +54,8 @@ void add(const Solid<d>& solid, double factor, const Field& b, Field& a) {
 /// Angular frequency of the motion v about this state by Rayleigh's quotient [1/s]; 0 where the forces drive
 /// it on.
 template <int d>
-double frequency(Solid<d>& solid, const OpenForces<d>& forces, State<d> still, Field open, const Field& v) {
+double frequency(const Solid<d>& solid, const OpenForces<d>& forces, State<d> still, Field open,
+                 const Field& v) {
   const double speed = largest(solid, v);
   if (speed == 0) return 0;
   const double e = probing * solid.cloud.spacing / speed;
@@ -69,7 +70,7 @@ double frequency(Solid<d>& solid, const OpenForces<d>& forces, State<d> still, F
 }  // namespace
 
 template <int d>
-std::optional<double> Relaxation<d>::damp(Solid<d>& solid, State<d>& state, double dt) {
+std::optional<double> Relaxation<d>::damp(const Solid<d>& solid, State<d>& state, double dt) {
   Field moving = state.v;
   forces_->for_each_held([&](int component, Index slot) { moving[component][slot] = 0; });
   add(solid, std::expm1(-rate_ * dt), moving, state.v);  // held components keep their velocity
@@ -78,7 +79,7 @@ std::optional<double> Relaxation<d>::damp(Solid<d>& solid, State<d>& state, doub
 }
 
 template <int d>
-std::optional<double> Relaxation<d>::look(Solid<d>& solid, const State<d>& state) {
+std::optional<double> Relaxation<d>::look(const Solid<d>& solid, const State<d>& state) {
   State<d> still = state;
   for (int k = 0; k < d; ++k) std::fill_n(still.v[k], solid.bonds.slots.count(), 0.0);
   auto open = forces_->at(solid, still);

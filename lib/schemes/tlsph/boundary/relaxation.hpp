@@ -16,14 +16,14 @@ class Relaxation {
   /// Damps the velocity after a step of length dt [s]. At every tenth step it looks at the forces: returns
   /// the norm of those on components that move freely, at velocity zero, relative to the larger one of the
   /// norms of the loads and of the forces of supports; nullopt at the other steps.
-  std::optional<double> damp(Solid<d>& solid, State<d>& state, double dt);
+  std::optional<double> damp(const Solid<d>& solid, State<d>& state, double dt);
 
   /// The rate of the damping [1/s], all that it keeps from step to step.
   double rate() const { return rate_; }
   void set_rate(double rate) { rate_ = rate; }
 
  private:
-  std::optional<double> look(Solid<d>& solid, const State<d>& state);
+  std::optional<double> look(const Solid<d>& solid, const State<d>& state);
 
   std::shared_ptr<const OpenForces<d>> forces_;
   double rate_ = 0;

@@ -62,10 +62,10 @@ SupportWork<d>::SupportWork(Solid<d>& solid, const std::vector<Support<d>>& held
   account_->last = account_->sum;
   Term<d> term;
   term.name = "work of supports";
-  term.first = [account = account_](const Solid<d>&, const Block& block, const State<d>&, double) {
+  term.first = [account = account_](const Solid<d>&, const Block& block, const Instant<d>&) {
     if (block.first_pack == 0) ++account->evaluation;  // read when the first phase is over, in all threads
   };
-  term.second = [account = account_](const Solid<d>& of, const Block& block, const State<d>&, double,
+  term.second = [account = account_](const Solid<d>& of, const Block& block, const Instant<d>&,
                                      BlockForce<d>& force) { account->add(of, block, force); };
   terms.insert(supports, std::move(term));
 }

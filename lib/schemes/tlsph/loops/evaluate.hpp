@@ -12,49 +12,50 @@ namespace plumb {
 
 /// Stress of one block and what terms do with it; false if some J is not positive or not a number.
 template <int d>
-bool find_stress(Solid<d>& solid, const State<d>& state, const Block& block, double time) {
-  Field* F = solid.F.components() ? &solid.F : nullptr;
-  const bool sound = solid.sweeps.stress(solid.bonds, state.u, block, solid.P, F);
-  for (const auto& term : solid.terms) {
-    if (term.first) term.first(solid, block, state, time);
-    if (term.stress) term.stress(solid, block, state, solid.P);
+bool find_stress(const Solid<d>& solid, Workspace<d>& workspace, const Instant<d>& now, const Block& block) {
+  Field* F = workspace.F.components() ? &workspace.F : nullptr;
+  const bool sound = solid.sweeps.stress(solid.bonds, now.state.u, block, workspace.P, F);
+  for (const auto& term : now.terms) {
+    if (term.first) term.first(solid, block, now);
+    if (term.stress) term.stress(solid, block, now, workspace.P);
   }
   return sound;
 }
 
 /// Force of one block, up to a term that needs all of them; update(block, force) gets it, or stored_force.
 template <int d, class Update>
-void find_force(Solid<d>& solid, const State<d>& state, const Block& block, double time, Update&& update) {
+void find_force(const Solid<d>& solid, Workspace<d>& workspace, const Instant<d>& now, const Block& block,
+                Update&& update) {
   BlockForce<d> force(block);
-  solid.sweeps.force(solid.bonds, solid.P, block, force);
-  for (const auto& term : solid.terms) {
+  solid.sweeps.force(solid.bonds, workspace.P, block, force);
+  for (const auto& term : now.terms) {
     if (term.whole) break;
-    if (term.second) term.second(solid, block, state, time, force);
+    if (term.second) term.second(solid, block, now, force);
   }
-  if (solid.stored_force.components() == 0) return update(block, force);
+  if (workspace.stored_force.components() == 0) return update(block, force);
   for (int k = 0; k < d; ++k)
     std::copy_n(force.at(k, block.begin()), block.end() - block.begin(),
-                solid.stored_force[k] + block.begin());
+                workspace.stored_force[k] + block.begin());
 }
 
 /// The second half of an evaluation, if forces are stored: a term that needs all of them, those behind it,
 /// and the update.
 template <int d, class Update>
-void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, const Arm<d>& arm,
-                          Update&& update) {
-  auto rest = std::find_if(solid.terms.begin(), solid.terms.end(),
+void finish_stored_forces(const Solid<d>& solid, Workspace<d>& workspace, const Instant<d>& now,
+                          const Arm<d>& arm, Update&& update) {
+  auto rest = std::find_if(now.terms.begin(), now.terms.end(),
                            [](const Term<d>& term) { return static_cast<bool>(term.whole); });
-  if (rest != solid.terms.end()) (rest++)->whole(solid, state, arm, solid.stored_force);
+  if (rest != now.terms.end()) (rest++)->whole(solid, now, arm, workspace.stored_force);
   const Index blocks = solid.blocks();
 #pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
   for (Index b = 0; b < blocks; ++b) {
     const Block block = solid.block(b);
     BlockForce<d> stored(block);
     for (int k = 0; k < d; ++k)
-      std::copy_n(solid.stored_force[k] + block.begin(), block.end() - block.begin(),
+      std::copy_n(workspace.stored_force[k] + block.begin(), block.end() - block.begin(),
                   stored.at(k, block.begin()));
-    for (auto term = rest; term != solid.terms.end(); ++term)
-      if (term->second) term->second(solid, block, state, time, stored);
+    for (auto term = rest; term != now.terms.end(); ++term)
+      if (term->second) term->second(solid, block, now, stored);
     update(block, stored);
   }
 }
@@ -62,12 +63,14 @@ void finish_stored_forces(Solid<d>& solid, const State<d>& state, double time, c
 /// Stresses of a share, and the forces that need no others, `reach` blocks behind. Calls force(b). Ends with
 /// false at the first block that is not sound, before any force has read its stress.
 template <int d, class Force>
-bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index share, Force&& force) {
-  const Index reach = solid.P.reach(), last = solid.P.begin_of(share + 1);
-  Index next = solid.P.inner(share).first;
-  const Index end = solid.P.inner(share).second;
-  for (Index b = solid.P.begin_of(share); b < last; ++b) {
-    if (!find_stress(solid, state, solid.block(b), time)) return false;
+bool go_through_share(const Solid<d>& solid, Workspace<d>& workspace, const Instant<d>& now, Index share,
+                      Force&& force) {
+  const StressWindow& P = workspace.P;
+  const Index reach = P.reach(), last = P.begin_of(share + 1);
+  Index next = P.inner(share).first;
+  const Index end = P.inner(share).second;
+  for (Index b = P.begin_of(share); b < last; ++b) {
+    if (!find_stress(solid, workspace, now, solid.block(b))) return false;
     if (next < end && next + reach <= b) force(next++);
   }
   while (next < end) force(next++);
@@ -75,7 +78,7 @@ bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index
 }
 
 /// The right-hand side at one instant: stress from displacements, force from stress, terms; then
-/// update(block, force) for every block, which may change u and v of its own slots. Returns false if some
+/// update(block, force) for every block, which may change u and v of its own slots. The outcome names a particle whose
 /// J <= 0 or is not a number; some blocks, far from there, have then been updated, and the integrator goes
 /// back. `arm`: of an integrator that keeps angular momentum about other points than the positions of the
 /// evaluation.
@@ -84,35 +87,40 @@ bool go_through_share(Solid<d>& solid, const State<d>& state, double time, Index
 /// cache; what reads beyond its share waits until all are known. Every block gets the same numbers whatever
 /// the shares are.
 template <int d, class Update>
-bool evaluate(Solid<d>& solid, State<d>& state, double time, Update&& update, const Arm<d>& arm = {}) {
-  const Index blocks = solid.blocks();
-  if (const Index threads = omp_get_max_threads();
-      blocks >= blocks_for_threads && solid.P.shares() != threads)
-    solid.P = make_stress_window(solid);  // the number of threads was changed
-  const Index shares = solid.P.shares();
-  const auto force = [&](Index b) { find_force(solid, state, solid.block(b), time, update); };
+Outcome evaluate(const Solid<d>& solid, const std::vector<Term<d>>& terms, Workspace<d>& workspace,
+                 State<d>& state, double time, Update&& update, const Arm<d>& arm = {}) {
+  prepare(workspace, solid, terms);
+  const Instant<d> now{state, time, workspace, terms};
+  const Index shares = workspace.P.shares();
+  const auto force = [&](Index b) { find_force(solid, workspace, now, solid.block(b), update); };
   bool sound = true;
 #pragma omp parallel num_threads(static_cast <int>(shares))
   {
 #pragma omp for schedule(static, 1) reduction(&& : sound)
-    for (Index s = 0; s < shares; ++s) sound = go_through_share(solid, state, time, s, force) && sound;
+    for (Index s = 0; s < shares; ++s) sound = go_through_share(solid, workspace, now, s, force) && sound;
 #pragma omp for schedule(static, 1)
     for (Index s = 0; s < shares; ++s) {
       if (!sound) continue;
-      const auto [first, last] = solid.P.inner(s);
-      for (Index b = solid.P.begin_of(s); b < first; ++b) force(b);
-      for (Index b = last; b < solid.P.begin_of(s + 1); ++b) force(b);
+      const auto [first, last] = workspace.P.inner(s);
+      for (Index b = workspace.P.begin_of(s); b < first; ++b) force(b);
+      for (Index b = last; b < workspace.P.begin_of(s + 1); ++b) force(b);
     }
   }
-  solid.work.particle_evaluations += solid.bonds.slots.particles;
-  solid.work.pair_evaluations += solid.bonds.pairs;
+  workspace.work.particle_evaluations += solid.bonds.slots.particles;
+  workspace.work.pair_evaluations += solid.bonds.pairs;
   if (!sound) {
-    solid.P.clear();
-    solid.unsound = find_unsound(solid, state);
-    return false;
+    workspace.P.clear();
+    return {find_unsound(solid, state)};
   }
-  if (solid.stored_force.components() > 0) finish_stored_forces(solid, state, time, arm, update);
-  return true;
+  if (workspace.stored_force.components() > 0) finish_stored_forces(solid, workspace, now, arm, update);
+  return {};
+}
+
+/// The same with the terms of the body.
+template <int d, class Update>
+Outcome evaluate(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double time,
+                 Update&& update, const Arm<d>& arm = {}) {
+  return evaluate(solid, solid.terms, workspace, state, time, std::forward<Update>(update), arm);
 }
 
 }  // namespace plumb

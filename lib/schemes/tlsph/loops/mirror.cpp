@@ -21,13 +21,14 @@ void image_force(const MirrorBonds<d>& bonds, Index row, const StressWindow& P, 
 }
 
 template <int d, int W>
-void add_image_forces(const Solid<d>& solid, const Block& block, BlockForce<d>& force) {
+void add_image_forces(const Solid<d>& solid, const StressWindow& P, const Block& block,
+                      BlockForce<d>& force) {
   const MirrorBonds<d>& images = *solid.bonds.mirror;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index row = solid.bonds.row[pack], i = pack * W;
     if (images.begin[row] == images.begin[row + 1]) continue;
     Pack<W> f[d];
-    image_force<d, W>(images, row, solid.P, pack, f);
+    image_force<d, W>(images, row, P, pack, f);
     for (int a = 0; a < d; ++a) (Pack<W>::load(force.at(a, i)) + f[a]).store(force.at(a, i));
   }
 }
@@ -51,11 +52,13 @@ Term<d> mirror_term(const Solid<d>& solid) {
   term.bytes = solid.bonds.mirror->bytes();
   term.bytes_per_update = bytes_moved(solid);
   term.internal = true;
-  term.second = solid.bonds.width == 1
-                    ? [](const Solid<d>& body, const Block& block, const State<d>&, double,
-                         BlockForce<d>& force) { add_image_forces<d, 1>(body, block, force); }
-                    : [](const Solid<d>& body, const Block& block, const State<d>&, double,
-                         BlockForce<d>& force) { add_image_forces<d, native_width>(body, block, force); };
+  term.second =
+      solid.bonds.width == 1
+          ? [](const Solid<d>& body, const Block& block, const Instant<d>& now,
+               BlockForce<d>& force) { add_image_forces<d, 1>(body, now.workspace.P, block, force); }
+          : [](const Solid<d>& body, const Block& block, const Instant<d>& now, BlockForce<d>& force) {
+              add_image_forces<d, native_width>(body, now.workspace.P, block, force);
+            };
   return term;
 }
 

@@ -1,5 +1,7 @@
 #include "lib/schemes/tlsph/loops/solid.hpp"
 
+#include <stdexcept>
+
 #include "lib/core/error.hpp"
 #include "lib/material/catalogue.hpp"
 #include "lib/schemes/tlsph/loops/kinematics.hpp"
@@ -35,7 +37,6 @@ Solid<d> make_solid(Cloud<d> cloud, const LawChoice& law, const Elastic& elastic
   solid.elastic = in_dimension(d, elastic, law.plane);
   solid.smoothing_length = options.smoothing_length;
   solid.sweeps = sweeps_of_choice<d>(law, elastic, solid.bonds);
-  solid.P = make_stress_window(solid);
   solid.volume.assign(solid.bonds.slots.count(), 0.0);
   for (Index i = 0; i < solid.cloud.size(); ++i) solid.volume[solid.bonds.slots.of(i)] = solid.cloud.V[i];
   if (solid.bonds.mirror) add_term(solid, mirror_term(solid));
@@ -50,9 +51,16 @@ Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& el
 
 template <int d>
 void add_term(Solid<d>& solid, Term<d> term) {
-  if (term.needs_F && solid.F.components() == 0) solid.F = solid.make_field(d * d);
-  if (term.whole && solid.stored_force.components() == 0) solid.stored_force = solid.make_field(d);
   solid.terms.push_back(std::move(term));
+}
+
+template <int d>
+void prepare(Workspace<d>& workspace, const Solid<d>& solid, const std::vector<Term<d>>& terms) {
+  const Index threads = solid.blocks() >= blocks_for_threads ? omp_get_max_threads() : 1;
+  if (workspace.P.shares() != threads) workspace.P = make_stress_window(solid);
+  if (stores_F(terms) && workspace.F.components() == 0) workspace.F = solid.make_field(d * d);
+  if (stores_force(terms) && workspace.stored_force.components() == 0)
+    workspace.stored_force = solid.make_field(d);
 }
 
 template <int d>
@@ -69,7 +77,7 @@ UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state) {
     const double J = determinant<d, double>(deformation_gradient_of(solid, state, i));
     if (!(J > 0)) return {i, J};
   }
-  return {};
+  throw std::logic_error("an evaluation failed at no particle");
 }
 
 template UnsoundParticle find_unsound<2>(const Solid<2>&, const State<2>&);
@@ -89,6 +97,9 @@ template Solid<3> make_solid<3>(Cloud<3>, std::string_view, const Elastic&, cons
 template void add_term<1>(Solid<1>&, Term<1>);
 template void add_term<2>(Solid<2>&, Term<2>);
 template void add_term<3>(Solid<3>&, Term<3>);
+template void prepare<1>(Workspace<1>&, const Solid<1>&, const std::vector<Term<1>>&);
+template void prepare<2>(Workspace<2>&, const Solid<2>&, const std::vector<Term<2>>&);
+template void prepare<3>(Workspace<3>&, const Solid<3>&, const std::vector<Term<3>>&);
 template State<1> make_state<1>(const Solid<1>&);
 template State<2> make_state<2>(const Solid<2>&);
 template State<3> make_state<3>(const Solid<3>&);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,19 @@ namespace plumb {
 
 template <int d>
 struct Solid;
+template <int d>
+struct Workspace;
+template <int d>
+struct Term;
+
+/// What terms read at one instant of an evaluation.
+template <int d>
+struct Instant {
+  const State<d>& state;
+  double time;                        ///< [s]
+  const Workspace<d>& workspace;      ///< stresses and, if a term needs them, deformation gradients
+  const std::vector<Term<d>>& terms;  ///< those that act
+};
 
 /// One entry of a stiffness matrix [N/m]; rows and columns are d x particle + component.
 struct StiffnessEntry {
@@ -37,16 +51,16 @@ struct Term {
   double bytes_per_update = 0;  ///< read and written at each evaluation, as in THEORY (10.8)
   /// Runs with the stress; may read displacement and velocity of slots that share a bond and write the term's
   /// own arrays.
-  std::function<void(const Solid<d>&, const Block&, const State<d>&, double time)> first;
+  std::function<void(const Solid<d>&, const Block&, const Instant<d>&)> first;
   /// Adds to the stress of the block's own slots, after the material has set it: what is carried by the same
   /// bonds as the stress costs no second gather.
-  std::function<void(const Solid<d>&, const Block&, const State<d>&, StressWindow& P)> stress;
+  std::function<void(const Solid<d>&, const Block&, const Instant<d>&, StressWindow& P)> stress;
   /// Adds to the force per unit reference volume; may read the term's own arrays, and of the state the
   /// block's own slots.
-  std::function<void(const Solid<d>&, const Block&, const State<d>&, double time, BlockForce<d>&)> second;
+  std::function<void(const Solid<d>&, const Block&, const Instant<d>&, BlockForce<d>&)> second;
   /// Changes the forces of all slots at once, when they are known up to this term; at most one term has it.
   /// Forces are stored, and terms behind it may not read the state of other slots.
-  std::function<void(const Solid<d>&, const State<d>&, const Arm<d>&, Field& force)> whole;
+  std::function<void(const Solid<d>&, const Instant<d>&, const Arm<d>&, Field& force)> whole;
   bool needs_F = false;   ///< the deformation gradient is stored
   bool internal = false;  ///< its force belongs to the strain energy, with the internal force
   /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
@@ -75,13 +89,20 @@ struct Work {
   std::int64_t pair_evaluations = 0;
 };
 
-/// Where the last evaluation found a deformation gradient without positive determinant.
+/// A particle whose deformation gradient has no positive determinant.
 struct UnsoundParticle {
-  Index particle = -1;
-  double determinant = 0;
+  Index particle;
+  double determinant;  ///< J; may be not a number
 };
 
-/// A body of one material: its bonds, its loops and whatever optional terms the scene names.
+/// How an evaluation or a step ended: well, or at the first particle, in order, that is not sound.
+struct Outcome {
+  std::optional<UnsoundParticle> unsound = std::nullopt;
+  explicit operator bool() const { return !unsound; }
+};
+
+/// A body of one material: its bonds, its loops and whatever optional terms the scene names. It does not change once it
+/// has been set up: what an evaluation writes is in a Workspace.
 template <int d>
 struct Solid {
   Cloud<d> cloud;
@@ -90,13 +111,8 @@ struct Solid {
   BondTable<d> bonds;
   Sweeps<d> sweeps;
   std::vector<Term<d>> terms;
-  StressWindow P;        ///< first Piola-Kirchhoff stress, as far as forces have still to read it
-  Field F;               ///< deformation gradient; empty unless a term needs it
-  Field stored_force;    ///< [N/m^d]; empty unless a term changes the forces as a whole
-  AlignedVector volume;  ///< per slot [m^d]; 0 for empty slots
+  AlignedVector volume;                                    ///< per slot [m^d]; 0 for empty slots
   double step_limit = std::numeric_limits<double>::max();  ///< other than CFL [s] (JST)
-  Work work;
-  UnsoundParticle unsound;  ///< set when an evaluation fails
 
   Index blocks() const { return (bonds.slots.count() + block_slots - 1) / block_slots; }
   Block block(Index b) const {
@@ -105,6 +121,30 @@ struct Solid {
   }
   Field make_field(int components) const { return {components, bonds.slots.count(), bonds.margin}; }
 };
+
+/// The memory that evaluations of a body write, and what they have done so far. evaluate() makes what it needs.
+template <int d>
+struct Workspace {
+  StressWindow P;      ///< first Piola-Kirchhoff stress [Pa], as far as forces have still to read it
+  Field F;             ///< deformation gradient; empty unless a term needs it
+  Field stored_force;  ///< [N/m^d]; empty unless a term changes the forces as a whole
+  Work work;
+};
+
+/// Whether a term needs deformation gradients after the stress, or changes the forces as a whole: then they are stored.
+template <int d>
+bool stores_F(const std::vector<Term<d>>& terms) {
+  return std::any_of(terms.begin(), terms.end(), [](const Term<d>& term) { return term.needs_F; });
+}
+template <int d>
+bool stores_force(const std::vector<Term<d>>& terms) {
+  return std::any_of(terms.begin(), terms.end(), [](const Term<d>& term) { return bool(term.whole); });
+}
+
+/// Makes what evaluations of this body with these terms need and the workspace does not have yet; a new window of stresses if the number
+/// of threads was changed.
+template <int d>
+void prepare(Workspace<d>& workspace, const Solid<d>& solid, const std::vector<Term<d>>& terms);
 
 /// The loops of the material of that name; InputError names the nearest valid one.
 template <int d>
@@ -122,7 +162,7 @@ void add_term(Solid<d>& solid, Term<d> term);
 template <int d>
 State<d> make_state(const Solid<d>& solid);
 
-/// The first particle, in order, whose J is not positive or not a number.
+/// The first particle, in order, whose J is not positive or not a number; std::logic_error if there is none.
 template <int d>
 UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state);
 

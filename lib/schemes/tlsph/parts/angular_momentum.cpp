@@ -84,8 +84,8 @@ Term<d> angular_momentum_projection(const Solid<d>& solid) {
   term.bytes = arms->size() * sizeof(Vec<3>);
   // four passes: X and u read, x written; V, x, f read; V, f read, x changed; x read, f changed
   term.bytes_per_update = sizeof(double) * (5.0 * 3 + 2 + 6.0 * d);
-  term.whole = [arms](const Solid<d>& body, const State<d>& state, const Arm<d>& arm, Field& force) {
-    project(body, state, arm, *arms, force);
+  term.whole = [arms](const Solid<d>& body, const Instant<d>& now, const Arm<d>& arm, Field& force) {
+    project(body, now.state, arm, *arms, force);
   };
   return term;
 }

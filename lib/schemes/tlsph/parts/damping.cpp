@@ -21,11 +21,11 @@ template <int d>
 void DampingOptions::add_to(PartSite<d>& site) const {
   Term<d> term;
   term.name = section;
-  term.second = [rate = rate](const Solid<d>& solid, const Block& block, const State<d>& state, double,
+  term.second = [rate = rate](const Solid<d>& solid, const Block& block, const Instant<d>& now,
                               BlockForce<d>& force) {
     const double coefficient = solid.elastic.density * rate;
     for (int k = 0; k < d; ++k)
-      for (Index i = block.begin(); i < block.end(); ++i) force(k, i) -= coefficient * state.v[k][i];
+      for (Index i = block.begin(); i < block.end(); ++i) force(k, i) -= coefficient * now.state.v[k][i];
   };
   add_term(site.solid, std::move(term));
   site.limit_step(site.real_axis / rate);

@@ -31,9 +31,11 @@ void explained(const Field& F, Index j, const Pack<W>* X, Pack<W>* out) {
 
 /// P_i -= H_i/V_i, and what the force takes from the particle's own F: THEORY (12.2).
 template <int d, int W>
-void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block, const Field& u,
+void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block, const Instant<d>& now,
               StressWindow& P, Field& partial) {
   using Real = Pack<W>;
+  const Field& u = now.state.u;
+  const Field& F = now.workspace.F;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
     Real f[d], H[d][d];
@@ -43,7 +45,7 @@ void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block
     }
     for_bonds<d, W>(solid.bonds, k, pack, [&](Index j, const Real* X, Real own, Real other) {
       Real GX[d];
-      explained<d, W>(solid.F, i, X, GX);
+      explained<d, W>(F, i, X, GX);
       for (int a = 0; a < d; ++a) {
         const Real du = Real::load(u[a] + j) - Real::load(u[a] + i);
         const Real pull = own * (du - GX[a]);
@@ -63,8 +65,8 @@ void own_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block
 
 /// Adds the force per unit volume, with what it takes from the others' F.
 template <int d, int W>
-void others_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block, const Field& partial,
-                 BlockForce<d>& force) {
+void others_part(const Solid<d>& solid, const HourglassBonds& k, const Block& block, const Field& F,
+                 const Field& partial, BlockForce<d>& force) {
   using Real = Pack<W>;
   for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
     const Index i = pack * W;
@@ -72,7 +74,7 @@ void others_part(const Solid<d>& solid, const HourglassBonds& k, const Block& bl
     for (int a = 0; a < d; ++a) f[a] = Real::load(partial[a] + i);
     for_bonds<d, W>(solid.bonds, k, pack, [&](Index j, const Real* X, Real, Real other) {
       Real GX[d];
-      explained<d, W>(solid.F, j, X, GX);
+      explained<d, W>(F, j, X, GX);
       for (int a = 0; a < d; ++a) f[a] += Real(0) - other * GX[a];
     });
     const Real per_volume = Real::load(k.per_volume.data() + i);
@@ -105,10 +107,12 @@ double energy_of_block(const Solid<d>& solid, const HourglassBonds& k, const Blo
 template <int d, int W>
 void set_functions(Term<d>& term, const std::shared_ptr<const HourglassBonds>& k,
                    const std::shared_ptr<Field>& partial) {
-  term.stress = [k, partial](const Solid<d>& solid, const Block& block, const State<d>& state,
-                             StressWindow& P) { own_part<d, W>(solid, *k, block, state.u, P, *partial); };
-  term.second = [k, partial](const Solid<d>& solid, const Block& block, const State<d>&, double,
-                             BlockForce<d>& force) { others_part<d, W>(solid, *k, block, *partial, force); };
+  term.stress = [k, partial](const Solid<d>& solid, const Block& block, const Instant<d>& now,
+                             StressWindow& P) { own_part<d, W>(solid, *k, block, now, P, *partial); };
+  term.second = [k, partial](const Solid<d>& solid, const Block& block, const Instant<d>& now,
+                             BlockForce<d>& force) {
+    others_part<d, W>(solid, *k, block, now.workspace.F, *partial, force);
+  };
   term.energy = [k](const Solid<d>& solid, const State<d>& state) {
     return sum_over_blocks(
         solid, [&](const Block& block) { return energy_of_block<d, W>(solid, *k, block, state.u); });

@@ -144,11 +144,11 @@ Term<d> jst_term(const Solid<d>& solid, const JstOptions& options) {
   term.name = "jst";
   term.bytes = arrays->inner.bytes() + arrays->second.bytes();
   term.bytes_per_update = bytes_moved(solid, options.eta2 != 0);
-  term.first = [arrays, second](const Solid<d>& body, const Block& block, const State<d>& state, double) {
-    store_laplacian<d>(body.bonds, false, state.v, block, arrays->inner);
-    if (second != 0) store_laplacian<d>(body.bonds, true, state.v, block, arrays->second);
+  term.first = [arrays, second](const Solid<d>& body, const Block& block, const Instant<d>& now) {
+    store_laplacian<d>(body.bonds, false, now.state.v, block, arrays->inner);
+    if (second != 0) store_laplacian<d>(body.bonds, true, now.state.v, block, arrays->second);
   };
-  term.second = [arrays, second, fourth](const Solid<d>& body, const Block& block, const State<d>&, double,
+  term.second = [arrays, second, fourth](const Solid<d>& body, const Block& block, const Instant<d>&,
                                          BlockForce<d>& force) {
     add_outer_laplacian<d>(body.bonds, arrays->inner, block, fourth, force);
     if (second == 0) return;

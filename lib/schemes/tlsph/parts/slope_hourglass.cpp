@@ -183,11 +183,10 @@ void add_stiffness(const Solid<d>& solid, const SlopeBonds<d>& bonds, std::vecto
 template <int d, int W>
 void set_functions(Term<d>& term, const std::shared_ptr<const SlopeBonds<d>>& bonds,
                    const std::shared_ptr<Field>& gradient, const std::shared_ptr<Field>& partial) {
-  term.first = [=](const Solid<d>& solid, const Block& block, const State<d>& state, double) {
-    own_part<d, W>(solid, *bonds, block, state.u, *gradient, *partial);
+  term.first = [=](const Solid<d>& solid, const Block& block, const Instant<d>& now) {
+    own_part<d, W>(solid, *bonds, block, now.state.u, *gradient, *partial);
   };
-  term.second = [=](const Solid<d>& solid, const Block& block, const State<d>&, double,
-                    BlockForce<d>& force) {
+  term.second = [=](const Solid<d>& solid, const Block& block, const Instant<d>&, BlockForce<d>& force) {
     others_part<d, W>(solid, *bonds, block, *gradient, *partial, force);
   };
   term.energy = [bonds](const Solid<d>& solid, const State<d>& state) {

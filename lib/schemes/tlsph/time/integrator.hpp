@@ -10,18 +10,18 @@
 
 namespace plumb {
 
-/// Advances a body by dt. `step` returns false if the deformation became unsound (J <= 0 or not a number);
+/// Advances a body by dt. `step` names the particle whose deformation became unsound (J <= 0 or not a number), if any;
 /// the state is then the one before the step. `order` is the order in dt that the scheme claims; a test
 /// measures it. A new integrator is one file in integrators/. One that carries something from step to step
 /// beside the state has `carried` and `carry` as in Stepper, or a continued run differs.
 template <class S, int d>
 concept Integrator = std::constructible_from < S,
         const Solid<d>
-& > &&requires(S& stepper, Solid<d>& solid, State<d>& state, double dt) {
+& > &&requires(S& stepper, const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::order } -> std::convertible_to<int>;
   { S::evaluations_per_step } -> std::convertible_to<int>;
-  { stepper.step(solid, state, dt) } -> std::same_as<bool>;
+  { stepper.step(solid, workspace, state, dt) } -> std::same_as<Outcome>;
   { stepper.bytes() } -> std::convertible_to<std::size_t>;
   { S::vectors_moved } -> std::convertible_to<int>;
 };
@@ -50,7 +50,8 @@ struct Stepper {
   int order;
   int evaluations_per_step;
   std::size_t bytes;
-  std::function<bool(Solid<d>&, State<d>&, double dt)> step;
+  std::function<Outcome(const Solid<d>&, State<d>&, double dt)> step;
+  std::shared_ptr<Workspace<d>> workspace;  ///< of the evaluations of its steps
   /// What it carries from step to step beside the state; null before the first step. Empty: it carries
   /// nothing.
   std::function<const Field*()> carried = {};
@@ -65,12 +66,18 @@ struct Stepper {
 template <int d>
 Stepper<d> stepper_named(std::string_view name, const Solid<d>& solid) {
   Stepper<d> stepper{};
+  stepper.workspace = std::make_shared<Workspace<d>>();
   const bool known = with_named(IntegratorCatalogue{}, name, [&]<class T>(Type<T>) {
     using S = typename T::template Stepper<d>;
     static_assert(Integrator<S, d>);
     const auto s = std::make_shared<S>(solid);
-    stepper = {S::name, S::order, S::evaluations_per_step, s->bytes(),
-               [s](Solid<d>& body, State<d>& state, double dt) { return s->step(body, state, dt); }};
+    stepper.name = S::name;
+    stepper.order = S::order;
+    stepper.evaluations_per_step = S::evaluations_per_step;
+    stepper.bytes = s->bytes();
+    stepper.step = [s, workspace = stepper.workspace](const Solid<d>& body, State<d>& state, double dt) {
+      return s->step(body, *workspace, state, dt);
+    };
     if constexpr (requires { s->carried(); }) {
       stepper.carried = [s] { return s->carried(); };
       stepper.carry = [s](const Field& field) { s->carry(field); };

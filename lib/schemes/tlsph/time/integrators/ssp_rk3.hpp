@@ -32,7 +32,7 @@ struct SspRk3 {
         : u0_(solid.make_field(d)), v0_(solid.make_field(d)), kept_(solid.blocks()) {}
     std::size_t bytes() const { return u0_.bytes() + v0_.bytes() + kept_.size(); }
 
-    bool step(Solid<d>& solid, State<d>& state, double dt) {
+    Outcome step(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
       const double t = state.time;
       std::fill(kept_.begin(), kept_.end(), 0);
       // THEORY (5.5)
@@ -43,27 +43,27 @@ struct SspRk3 {
       const Arm<d> third = [&](Index i) -> Vec<d> {
         return 1.0 / 3 * at(u0_, i) + 2.0 / 3 * (at(state.u, i) + dt * at(state.v, i));
       };
-      const bool sound = stage(solid, state, t, dt, 0, 1, first) &&
-                         stage(solid, state, t + dt, dt, 3.0 / 4, 1.0 / 4, second) &&
-                         stage(solid, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3, third);
-      if (!sound) {
+      Outcome outcome = stage(solid, workspace, state, t, dt, 0, 1, first);
+      if (outcome) outcome = stage(solid, workspace, state, t + dt, dt, 3.0 / 4, 1.0 / 4, second);
+      if (outcome) outcome = stage(solid, workspace, state, t + dt / 2, dt, 1.0 / 3, 2.0 / 3, third);
+      if (!outcome) {
         go_back(solid, state);
-        return false;
+        return outcome;
       }
       state.time = t + dt;
       ++state.step;
-      return true;
+      return outcome;
     }
 
    private:
     static Vec<d> at(const Field& field, Index i) { return vector_at<d>(field, i); }
 
     /// U <- kept U^n + fresh (U + dt R(U, t)); the first stage puts U^n aside on the way.
-    bool stage(Solid<d>& solid, State<d>& state, double t, double dt, double kept, double fresh,
-               const Arm<d>& arm) {
+    Outcome stage(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double t, double dt,
+                  double kept, double fresh, const Arm<d>& arm) {
       const double per_mass = dt / solid.elastic.density;
       return evaluate(
-          solid, state, t,
+          solid, workspace, state, t,
           [&](const Block& block, BlockForce<d>& force) {
             if (kept == 0) keep(state, block);
             for (int k = 0; k < d; ++k) {

@@ -38,38 +38,40 @@ struct Verlet {
       started_ = true;
     }
 
-    bool step(Solid<d>& solid, State<d>& state, double dt) {
-      if (!started_ && !accelerate(solid, state, 0)) return false;
+    Outcome step(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
+      if (!started_)
+        if (const Outcome outcome = accelerate(solid, workspace, state, 0); !outcome) return outcome;
       started_ = true;
       kick_and_drift(solid, state, dt);
       std::swap(a_, before_);
-      if (!accelerate(solid, state, dt)) {
+      if (const Outcome outcome = accelerate(solid, workspace, state, dt); !outcome) {
         undo(solid, state, dt);
-        return false;
+        return outcome;
       }
       state.time += dt;
       ++state.step;
-      return true;
+      return {};
     }
 
    private:
     /// a(x, t + dt), then the second half kick.
-    bool accelerate(Solid<d>& solid, State<d>& state, double dt) {
+    Outcome accelerate(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
       const double per_mass = 1 / solid.elastic.density;
       std::fill(kicked_.begin(), kicked_.end(), 0);
-      return evaluate(solid, state, state.time + dt, [&](const Block& block, BlockForce<d>& force) {
-        for (int k = 0; k < d; ++k) {
-          double* v = state.v[k];
-          double* a = a_[k];
-          const double* f = force.at(k, block.begin()) - block.begin();
+      return evaluate(solid, workspace, state, state.time + dt,
+                      [&](const Block& block, BlockForce<d>& force) {
+                        for (int k = 0; k < d; ++k) {
+                          double* v = state.v[k];
+                          double* a = a_[k];
+                          const double* f = force.at(k, block.begin()) - block.begin();
 #pragma omp simd
-          for (Index i = block.begin(); i < block.end(); ++i) {
-            a[i] = per_mass * f[i];
-            v[i] += 0.5 * dt * a[i];
-          }
-        }
-        kicked_[block.begin() / block_slots] = 1;
-      });
+                          for (Index i = block.begin(); i < block.end(); ++i) {
+                            a[i] = per_mass * f[i];
+                            v[i] += 0.5 * dt * a[i];
+                          }
+                        }
+                        kicked_[block.begin() / block_slots] = 1;
+                      });
     }
 
     void kick_and_drift(const Solid<d>& solid, State<d>& state, double dt) {

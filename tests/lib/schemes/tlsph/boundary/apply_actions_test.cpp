@@ -37,7 +37,8 @@ template <int d>
 std::vector<Vec<d>> forces_of(Solid<d>& solid, State<d>& state, const Actions<d>& actions) {
   const auto evaluated = [&](Solid<d> body) {
     std::vector<Vec<d>> f(static_cast<std::size_t>(body.bonds.slots.count()));
-    EXPECT_TRUE(evaluate(body, state, state.time, [&](const Block& block, BlockForce<d>& force) {
+    Workspace<d> workspace;
+    EXPECT_TRUE(evaluate(body, workspace, state, state.time, [&](const Block& block, BlockForce<d>& force) {
       for (Index i = block.begin(); i < block.end(); ++i)
         for (int k = 0; k < d; ++k) f[static_cast<std::size_t>(i)][k] = force(k, i);
     }));

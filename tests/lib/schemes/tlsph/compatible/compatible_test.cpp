@@ -141,13 +141,14 @@ TYPED_TEST(CompatibleSolid, PassesThePatchTest) {
       State<d> state = make_state(solid);
       for (Index i = 0; i < solid.cloud.size(); ++i)
         set_vector<d>(state.u, solid.bonds.slots.of(i), (A - Mat<d>::Identity()) * solid.cloud.X[i]);
-      const auto f = testing::forces(solid, state);
+      Workspace<d> workspace;
+      const auto f = testing::forces(solid, state, workspace);
       const auto B = boundary_vectors<d>(testing::block<d>(7, layout, jitter), kernel_named<d>("cubic"),
                                          solid.smoothing_length, box_surface<d>(solid.cloud))
                          .B;
       Mat<d> P;
       for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) P(a, b) = solid.P.at(a * d + b, solid.bonds.slots.of(0));
+        for (int b = 0; b < d; ++b) P(a, b) = workspace.P.at(a * d + b, solid.bonds.slots.of(0));
       const double size = P.norm() * std::pow(solid.cloud.spacing, d - 1);
       for (Index i = 0; i < solid.cloud.size(); ++i) {
         EXPECT_LT((deformation_gradient_of(solid, state, i) - A).norm(), 1e-11);

@@ -37,7 +37,8 @@ Eigen::VectorXd force_on(Solid<d>& solid, const Eigen::VectorXd& u) {
   Eigen::VectorXd result(u.size());
   std::vector<Index> particle(solid.bonds.slots.count(), -1);
   for (Index i = 0; i < solid.cloud.size(); ++i) particle[solid.bonds.slots.of(i)] = i;
-  evaluate(solid, state, 0, [&](const Block& block, BlockForce<d>& force) {
+  Workspace<d> workspace;
+  evaluate(solid, workspace, state, 0, [&](const Block& block, BlockForce<d>& force) {
     for (Index s = block.begin(); s < block.end(); ++s)
       for (int k = 0; k < d && particle[s] >= 0; ++k)
         result[d * particle[s] + k] = -solid.volume[s] * force(k, s);

@@ -176,17 +176,21 @@ TEST(Evaluate, NamesTheParticleThatIsTurnedInsideOut) {
   const Index victim = 44;
   state.u[0][solid.bonds.slots.of(victim + 1)] = -2 * solid.cloud.spacing;  // its neighbour pushed through it
   state.u[0][solid.bonds.slots.of(victim - 1)] = 2 * solid.cloud.spacing;
-  EXPECT_FALSE(evaluate(solid, state, 0, [](const Block&, BlockForce<2>&) {}));
-  EXPECT_LE(solid.unsound.determinant, 0);
-  EXPECT_GE(solid.unsound.particle, 0);
+  Workspace<2> workspace;
+  const Outcome outcome = evaluate(solid, workspace, state, 0, [](const Block&, BlockForce<2>&) {});
+  ASSERT_FALSE(outcome);
+  EXPECT_LE(outcome.unsound->determinant, 0);
+  EXPECT_GE(outcome.unsound->particle, 0);
 }
 
 TEST(Evaluate, FindsNotANumber) {
   Solid<2> solid = rubber_block<2>(10, Layout::cell, 0);
   State<2> state = make_state(solid);
   state.u[0][solid.bonds.slots.of(50)] = std::nan("");
-  EXPECT_FALSE(evaluate(solid, state, 0, [](const Block&, BlockForce<2>&) {}));
-  EXPECT_TRUE(std::isnan(solid.unsound.determinant));
+  Workspace<2> workspace;
+  const Outcome outcome = evaluate(solid, workspace, state, 0, [](const Block&, BlockForce<2>&) {});
+  ASSERT_FALSE(outcome);
+  EXPECT_TRUE(std::isnan(outcome.unsound->determinant));
 }
 
 TEST(BondTable, SharesRowsOnLatticesAndOnlyThere) {

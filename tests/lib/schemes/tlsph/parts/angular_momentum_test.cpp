@@ -33,8 +33,8 @@ Solid<d> spinning_block(Points points) {
   if (points == Points::none) return solid;
   Term<d> projection = angular_momentum_projection(solid);
   if (points == Points::of_evaluation)
-    projection.whole = [inner = projection.whole](const Solid<d>& body, const State<d>& state, const Arm<d>&,
-                                                  Field& force) { inner(body, state, {}, force); };
+    projection.whole = [inner = projection.whole](const Solid<d>& body, const Instant<d>& now, const Arm<d>&,
+                                                  Field& force) { inner(body, now, {}, force); };
   add_term(solid, projection);
   return solid;
 }

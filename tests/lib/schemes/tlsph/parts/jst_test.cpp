@@ -16,13 +16,15 @@ std::vector<Vec<d>> jst_force(Solid<d>& solid, const JstOptions& options, Veloci
     set_vector<d>(state.v, solid.bonds.slots.of(i), velocity(solid.cloud.X[i]));
   const Term<d> term = jst_term(solid, options);
   std::vector<Vec<d>> force(solid.bonds.slots.count(), Vec<d>::Zero());
-  for (Index b = 0; b < solid.blocks(); ++b) term.first(solid, solid.block(b), state, 0);
+  const Workspace<d> workspace;
+  const Instant<d> now{state, 0, workspace, solid.terms};
+  for (Index b = 0; b < solid.blocks(); ++b) term.first(solid, solid.block(b), now);
   for (Index b = 0; b < solid.blocks(); ++b) {
     const Block block = solid.block(b);
     BlockForce<d> f(block);
     for (int k = 0; k < d; ++k)
       for (Index i = block.begin(); i < block.end(); ++i) f(k, i) = 0;
-    term.second(solid, block, state, 0, f);
+    term.second(solid, block, now, f);
     for (int k = 0; k < d; ++k)
       for (Index i = block.begin(); i < block.end(); ++i) force[i][k] = f(k, i);
   }

@@ -12,11 +12,11 @@ namespace {
 /// Advances time and then changes the state as told.
 Stepper<2> stepper_that(const std::function<void(State<2>&)>& change) {
   Stepper<2> stepper{};
-  stepper.step = [change](Solid<2>&, State<2>& state, double dt) {
+  stepper.step = [change](const Solid<2>&, State<2>& state, double dt) -> Outcome {
     state.time += dt;
     ++state.step;
     change(state);
-    return true;
+    return {};
   };
   return stepper;
 }

@@ -87,8 +87,8 @@ TEST(Run, MeetsTheEndTimeAndCountsWork) {
   EXPECT_TRUE(result.completed());
   EXPECT_DOUBLE_EQ(state.time, *control.end_time);
   EXPECT_EQ(state.step, 4);
-  EXPECT_EQ(solid.work.particle_evaluations, 4 * 3 * solid.cloud.size());
-  EXPECT_EQ(solid.work.pair_evaluations, 4 * 3 * solid.bonds.pairs);
+  EXPECT_EQ(stepper.workspace->work.particle_evaluations, 4 * 3 * solid.cloud.size());
+  EXPECT_EQ(stepper.workspace->work.pair_evaluations, 4 * 3 * solid.bonds.pairs);
 }
 
 /// States fall on every multiple of the interval, to the last bit, and no cut step is taken for one that
@@ -137,8 +137,8 @@ TEST(Run, AnExplosionIsStoppedAndTheLastGoodStateKept) {
   EXPECT_TRUE(result.failure->cause == Cause::inverted || result.failure->cause == Cause::non_finite);
   for (Index i = 0; i < solid.cloud.size(); ++i)
     EXPECT_TRUE(vector_at<2>(state.u, solid.bonds.slots.of(i)).allFinite());
-  EXPECT_TRUE(
-      evaluate(solid, state, state.time, [](const Block&, BlockForce<2>&) {}));  // the kept state is sound
+  EXPECT_TRUE(evaluate(solid, *stepper.workspace, state, state.time,
+                       [](const Block&, BlockForce<2>&) {}));  // the kept state is sound
 }
 
 /// Blocks far from the trouble have been updated when it is found, others have not.

@@ -107,10 +107,9 @@ struct Motion {
     add_term(solid, jst_term(solid, {0.2, 0.05}));
     Term<d> load;
     load.name = "load";
-    load.second = [](const Solid<d>&, const Block& block, const State<d>&, double time,
-                     BlockForce<d>& force) {
+    load.second = [](const Solid<d>&, const Block& block, const Instant<d>& now, BlockForce<d>& force) {
       for (Index i = block.begin(); i < block.end(); ++i)
-        force(1, i) += 2e6 * (1 + 3e4 * time) * static_cast<double>(i % 3);
+        force(1, i) += 2e6 * (1 + 3e4 * now.time) * static_cast<double>(i % 3);
     };
     add_term(solid, load);
     state = make_state(solid);
