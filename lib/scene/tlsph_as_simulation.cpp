@@ -161,7 +161,8 @@ void give_reactions(Simulation<d>& simulation, const std::shared_ptr<Followed<d>
   simulation.reactions = [followed] {
     TlsphSimulation<d>& body = *followed->body;
     std::vector<BoundaryForce<d>> named;
-    const auto open = followed->forces->at(body.solid, body.state);
+    Workspace<d> workspace;
+    const auto open = followed->forces->at(body.solid, workspace, body.state);
     const Vec<d> unknown = Vec<d>::Constant(std::numeric_limits<double>::quiet_NaN());  // no force exists
     const auto forces = open ? followed->forces->reactions(body.solid, body.state, *open)
                              : std::vector<Vec<d>>(body.actions.held.size(), unknown);

@@ -35,9 +35,9 @@ OpenForces<d>::OpenForces(const Solid<d>& solid, const Actions<d>& actions)
 }
 
 template <int d>
-std::optional<Field> OpenForces<d>::at(const Solid<d>& solid, State<d>& state) const {
+std::optional<Field> OpenForces<d>::at(const Solid<d>& solid, Workspace<d>& workspace,
+                                       State<d>& state) const {
   Field open = solid.make_field(d);
-  Workspace<d> workspace;
   const Outcome outcome =
       evaluate(solid, terms_, workspace, state, state.time,
                [&](const Block& block, BlockForce<d>& force) { keep(block, force, open); });
@@ -46,7 +46,8 @@ std::optional<Field> OpenForces<d>::at(const Solid<d>& solid, State<d>& state) c
 }
 
 template <int d>
-Field OpenForces<d>::of_loads(const Solid<d>& solid, const State<d>& state) const {
+Field OpenForces<d>::of_loads(const Solid<d>& solid, const Workspace<d>& workspace,
+                              const State<d>& state) const {
   Field loads = solid.make_field(d);
   const auto term =
       std::find_if(terms_.begin(), terms_.end(), [](const Term<d>& t) { return t.name == "loads"; });
@@ -55,7 +56,7 @@ Field OpenForces<d>::of_loads(const Solid<d>& solid, const State<d>& state) cons
     const Block block = solid.block(b);
     BlockForce<d> force(block);
     for (int k = 0; k < d; ++k) std::fill_n(force.at(k, block.begin()), block.end() - block.begin(), 0.0);
-    term->second(solid, block, state, state.time, force);
+    term->second(solid, block, {state, state.time, workspace, terms_}, force);
     keep(block, force, loads);
   }
   return loads;

@@ -17,9 +17,9 @@ class OpenForces {
 
   /// Returns the force per reference volume of every slot in this state [N/m^d]; nullopt if some J is not
   /// positive. The work of the steps does not count it.
-  std::optional<Field> at(const Solid<d>& solid, State<d>& state) const;
-  /// Returns the part of it that the loads have.
-  Field of_loads(const Solid<d>& solid, const State<d>& state) const;
+  std::optional<Field> at(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state) const;
+  /// Returns the part of it that the loads have. `workspace`: as at() left it, for pressures that follow.
+  Field of_loads(const Solid<d>& solid, const Workspace<d>& workspace, const State<d>& state) const;
   /// Returns the force of the supports of each boundary on the body [N] (per metre of thickness in 2D), in
   /// the order of Actions::held. A component that two boundaries hold belongs to the later one. `open`: as
   /// at() found it.

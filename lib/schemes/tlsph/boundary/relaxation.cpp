@@ -54,13 +54,13 @@ void add(const Solid<d>& solid, double factor, const Field& b, Field& a) {
 /// Angular frequency of the motion v about this state by Rayleigh's quotient [1/s]; 0 where the forces drive
 /// it on.
 template <int d>
-double frequency(const Solid<d>& solid, const OpenForces<d>& forces, State<d> still, Field open,
-                 const Field& v) {
+double frequency(const Solid<d>& solid, const OpenForces<d>& forces, Workspace<d>& workspace, State<d> still,
+                 Field open, const Field& v) {
   const double speed = largest(solid, v);
   if (speed == 0) return 0;
   const double e = probing * solid.cloud.spacing / speed;
   add(solid, e, v, still.u);
-  const auto moved = forces.at(solid, still);
+  const auto moved = forces.at(solid, workspace, still);
   if (!moved) return 0;
   add(solid, -1, *moved, open);  // what the move takes off the forces
   const double square = product(solid, open, v) / (e * solid.elastic.density * product(solid, v, v));
@@ -82,7 +82,8 @@ template <int d>
 std::optional<double> Relaxation<d>::look(const Solid<d>& solid, const State<d>& state) {
   State<d> still = state;
   for (int k = 0; k < d; ++k) std::fill_n(still.v[k], solid.bonds.slots.count(), 0.0);
-  auto open = forces_->at(solid, still);
+  Workspace<d> workspace;
+  auto open = forces_->at(solid, workspace, still);
   if (!open) return std::nullopt;  // the next step will say so
   Field moving = state.v;
   double held = 0;
@@ -92,8 +93,8 @@ std::optional<double> Relaxation<d>::look(const Solid<d>& solid, const State<d>&
     (*open)[component][slot] = 0;
     moving[component][slot] = 0;
   });
-  rate_ = 2 * frequency(solid, *forces_, still, *open, moving);
-  const double scale = std::max(std::sqrt(held), norm(solid, forces_->of_loads(solid, still)));
+  const double scale = std::max(std::sqrt(held), norm(solid, forces_->of_loads(solid, workspace, still)));
+  rate_ = 2 * frequency(solid, *forces_, workspace, still, *open, moving);
   const double unbalanced = norm(solid, *open);
   if (unbalanced == 0) return 0;
   return scale > 0 ? unbalanced / scale : std::numeric_limits<double>::infinity();
