@@ -55,7 +55,7 @@ LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution
   out.level.d = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
-  RunHistory history;
+  RunRecord record;
   const RunResult result = run<d>(
       simulation,
       [&] {
@@ -64,7 +64,7 @@ LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution
                       static_cast<double>(simulation.counts().work.pair_evaluations) / elapsed.count());
         return true;
       },
-      history);
+      record);
   out.level.setup_s = static_cast<double>(cpu - begin) / CLOCKS_PER_SEC;
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();

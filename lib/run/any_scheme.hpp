@@ -122,10 +122,10 @@ Counts counts_of(const Moving<M>& moving) {
 /// Whether the energy has grown beyond the bound of the control.
 template <class M>
 std::optional<Failure> beyond_energy_bound(Moving<M>& moving, const StepControl& control,
-                                           const RunHistory& history) {
+                                           const RunRecord& record) {
   if (!control.energy_bound) return std::nullopt;
   const double energy = moving.scheme.energy(moving.state).total();
-  if (energy <= (1 + *control.energy_bound) * history.initial_energy.value_or(energy)) return std::nullopt;
+  if (energy <= (1 + *control.energy_bound) * record.initial_energy.value_or(energy)) return std::nullopt;
   return Failure{moving.state.time, moving.state.step, Cause::energy_growth, -1, energy, "total energy"};
 }
 
@@ -138,21 +138,20 @@ inline Failure failure_of(const Trouble& trouble, double time, long step) {
 
 template <class M, int d>
 Steps steps_of(const std::shared_ptr<Moving<M>>& moving, const StepControl& control) {
-  return {[moving] {
-            return Moment{moving->state.time, moving->state.step};
-          },
-          [moving](double time) { moving->state.time = time; },
-          [moving, fixed = control.fixed_step] {
-            return fixed ? *fixed : moving->scheme.step_limit(moving->state);
-          },
-          [moving](double dt) -> std::optional<Failure> {
-            const auto trouble = moving->scheme.advance(moving->state, dt);
-            if (!trouble) return std::nullopt;
-            return failure_of(*trouble, moving->state.time, moving->state.step);
-          },
-          [moving, control](const RunHistory& history) {
-            return beyond_energy_bound(*moving, control, history);
-          }};
+  return {
+      [moving] {
+        return Moment{moving->state.time, moving->state.step};
+      },
+      [moving](double time) { moving->state.time = time; },
+      [moving, fixed = control.fixed_step] {
+        return fixed ? *fixed : moving->scheme.step_limit(moving->state);
+      },
+      [moving](double dt) -> std::optional<Failure> {
+        const auto trouble = moving->scheme.advance(moving->state, dt);
+        if (!trouble) return std::nullopt;
+        return failure_of(*trouble, moving->state.time, moving->state.step);
+      },
+      [moving, control](const RunRecord& record) { return beyond_energy_bound(*moving, control, record); }};
 }
 
 /// The particle of that number in the snapshot.

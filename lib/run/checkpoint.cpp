@@ -78,6 +78,7 @@ void require_consistent(const Checkpoint& c) {
 }
 
 void write(const Hdf5Image& file, const Checkpoint& c) {
+  const RunRecord& r = c.record;
   file.write("program", c.program);
   file.write("scene", text_of(c.scene));
   file.write("dimension and step", std::vector<std::int64_t>{c.dimension, c.state.now.step});
@@ -85,17 +86,16 @@ void write(const Hdf5Image& file, const Checkpoint& c) {
   file.write("fields", text_of(c.state.fields));
   for (const auto& field : c.state.fields)
     file.write(field.name.c_str(), field.values, static_cast<std::size_t>(field.components));
-  file.write("time steps", std::vector<double>{c.dt.first, c.dt.least, c.dt.most, c.dt.last});
-  file.write("initial energy", std::vector<double>{c.initial_energy});
-  const Momentum& p = c.initial_momentum;
+  file.write("time steps", std::vector<double>{r.dt.first, r.dt.least, r.dt.most, r.dt.last});
+  if (r.initial_energy) file.write("initial energy", std::vector<double>{*r.initial_energy});
+  const Momentum& p = r.initial_momentum;
   file.write("initial momentum",
              std::vector<double>{p.linear[0], p.linear[1], p.linear[2], p.angular[0], p.angular[1],
                                  p.angular[2], p.linear_scale, p.angular_scale});
   file.write("work",
              std::vector<std::int64_t>{c.state.work.particle_evaluations, c.state.work.pair_evaluations});
-  file.write("seconds", std::vector<double>{c.wall, c.cpu, c.writing});
-  const RecorderMark& r = c.recorder;
-  file.write("recorder", std::vector<std::int64_t>{r.next, r.recorded, r.series_bytes});
+  file.write("seconds", std::vector<double>{r.wall_s, r.cpu_s, r.writing_s});
+  file.write("recorder", std::vector<std::int64_t>{r.next_row, r.recorded_step, r.series_bytes});
   if (!r.particle_times.empty()) file.write("particle times", r.particle_times);
 }
 
@@ -108,17 +108,18 @@ Checkpoint read(const Hdf5Image& file) {
   c.state.now.time = file.numbers("time", 1)[0];
   c.state.fields = fields_of(file);
   const auto dt = file.numbers("time steps", 4);
-  c.dt = {dt[0], dt[1], dt[2], dt[3]};
-  c.initial_energy = file.numbers("initial energy", 1)[0];
+  RunRecord& r = c.record;
+  r.dt = {dt[0], dt[1], dt[2], dt[3]};
+  if (file.has("initial energy")) r.initial_energy = file.numbers("initial energy", 1)[0];
   const auto p = file.numbers("initial momentum", 8);
-  c.initial_momentum = {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6], p[7]};
+  r.initial_momentum = {{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6], p[7]};
   const auto work = file.integers("work", 2);
   c.state.work = {work[0], work[1]};
   const auto seconds = file.numbers("seconds", 3);
-  c.wall = seconds[0], c.cpu = seconds[1], c.writing = seconds[2];
-  const auto r = file.integers("recorder", 3);
-  c.recorder = {r[0], r[1], r[2], {}};
-  if (file.has("particle times")) c.recorder.particle_times = file.numbers("particle times");
+  r.wall_s = seconds[0], r.cpu_s = seconds[1], r.writing_s = seconds[2];
+  const auto files = file.integers("recorder", 3);
+  r.next_row = files[0], r.recorded_step = files[1], r.series_bytes = files[2];
+  if (file.has("particle times")) r.particle_times = file.numbers("particle times");
   return c;
 }
 

@@ -11,25 +11,13 @@
 
 namespace plumb {
 
-/// How far the files of a run had come, so that they can be continued with the same bytes.
-struct RecorderMark {
-  std::int64_t next = 0;               ///< number of the next multiple of the output interval
-  std::int64_t recorded = -1;          ///< step of the last state recorded
-  std::int64_t series_bytes = 0;       ///< length of the series
-  std::vector<double> particle_times;  ///< of the particle files [s]
-};
-
 /// Everything that a run needs to go on bit for bit: the same for any number of threads.
 struct Checkpoint {
   std::string program;                       ///< version and build; other builds may give other bits
   std::map<std::string, std::string> scene;  ///< every setting of the scene, by its dotted key
   std::int64_t dimension = 0;
   SavedState state;
-  StepStatistics dt;
-  double initial_energy = 0;  ///< total [J]
-  Momentum initial_momentum;
-  double wall = 0, cpu = 0, writing = 0;  ///< seconds spent so far; writing is a part of wall
-  RecorderMark recorder;
+  RunRecord record;
 };
 
 /// Whether all numbers of the state are finite; one that is not cannot be read back.

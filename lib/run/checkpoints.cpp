@@ -10,20 +10,17 @@
 namespace plumb {
 
 template <int d>
-RunBook begin_book(const Simulation<d>& simulation) {
-  RunBook book;
-  book.initial_energy = simulation.energy().total();
-  book.initial_momentum = simulation.momentum();
-  book.history.initial_energy = book.initial_energy;
-  return book;
+RunRecord begin_record(const Simulation<d>& simulation) {
+  RunRecord record;
+  record.initial_energy = simulation.energy().total();
+  record.initial_momentum = simulation.momentum();
+  return record;
 }
 
 template <int d>
-RunBook restore(const Checkpoint& c, Simulation<d>& simulation) {
-  simulation.restore(c.state);
-  RunBook book{c.initial_energy, c.initial_momentum, {c.dt, c.initial_energy}, {}};
-  book.timing = {.setup = 0, .wall = c.wall, .cpu = c.cpu, .writing = c.writing};
-  return book;
+RunRecord restore(const Checkpoint& checkpoint, Simulation<d>& simulation) {
+  simulation.restore(checkpoint.state);
+  return checkpoint.record;
 }
 
 template <int d>
@@ -42,19 +39,8 @@ bool Checkpoints<d>::due(double time) {
 }
 
 template <int d>
-void Checkpoints<d>::write(const Simulation<d>& simulation, const RunBook& book,
-                           const RecorderMark& recorder) {
-  const Checkpoint checkpoint{program_,
-                              scene_,
-                              d,
-                              simulation.save(),
-                              book.history.dt,
-                              book.initial_energy,
-                              book.initial_momentum,
-                              book.timing.wall,
-                              book.timing.cpu,
-                              book.timing.writing,
-                              recorder};
+void Checkpoints<d>::write(const Simulation<d>& simulation, const RunRecord& record) {
+  const Checkpoint checkpoint{program_, scene_, d, simulation.save(), record};
   if (!is_finite(checkpoint)) return;
   try {
     write_checkpoint(file_, checkpoint);
@@ -67,12 +53,12 @@ void Checkpoints<d>::write(const Simulation<d>& simulation, const RunBook& book,
   }
 }
 
-template RunBook begin_book<1>(const Simulation<1>&);
-template RunBook begin_book<2>(const Simulation<2>&);
-template RunBook begin_book<3>(const Simulation<3>&);
-template RunBook restore<1>(const Checkpoint&, Simulation<1>&);
-template RunBook restore<2>(const Checkpoint&, Simulation<2>&);
-template RunBook restore<3>(const Checkpoint&, Simulation<3>&);
+template RunRecord begin_record<1>(const Simulation<1>&);
+template RunRecord begin_record<2>(const Simulation<2>&);
+template RunRecord begin_record<3>(const Simulation<3>&);
+template RunRecord restore<1>(const Checkpoint&, Simulation<1>&);
+template RunRecord restore<2>(const Checkpoint&, Simulation<2>&);
+template RunRecord restore<3>(const Checkpoint&, Simulation<3>&);
 template class Checkpoints<1>;
 template class Checkpoints<2>;
 template class Checkpoints<3>;

@@ -25,7 +25,7 @@ void add_values(std::vector<double>& row, const Vec<d>& v) {
 
 template <int d>
 Recorder<d>::Recorder(const Output& output, std::filesystem::path folder, const Simulation<d>& simulation,
-                      const std::optional<RecorderMark>& from)
+                      const RunRecord* from)
     : output_(output), folder_(std::move(folder)) {
   if (!output_.probes.empty()) probes_ = bind_probes<d>(output_.probes, simulation.snapshot().X);
   if (output_.vtk || output_.series) std::filesystem::create_directories(folder_);
@@ -36,8 +36,8 @@ Recorder<d>::Recorder(const Output& output, std::filesystem::path folder, const 
   if (output_.vtk) particles_.emplace(folder_, "particles");
   if (!from) return;
   if (particles_) particles_->resume(from->particle_times);
-  next_ = static_cast<long>(from->next);
-  recorded_ = static_cast<long>(from->recorded);
+  next_ = static_cast<long>(from->next_row);
+  recorded_ = static_cast<long>(from->recorded_step);
 }
 
 template <int d>
@@ -118,12 +118,13 @@ void Recorder<d>::record_series(const Simulation<d>& simulation) {
 }
 
 template <int d>
-RecorderMark Recorder<d>::mark() {
-  RecorderMark mark{next_, recorded_, series_ ? series_->flush() : 0, {}};
-  if (!particles_) return mark;
+void Recorder<d>::note(RunRecord& record) {
+  record.next_row = next_;
+  record.recorded_step = recorded_;
+  record.series_bytes = series_ ? series_->flush() : 0;
+  if (!particles_) return;
   particles_->flush();
-  mark.particle_times = particles_->times();
-  return mark;
+  record.particle_times = particles_->times();
 }
 
 template <int d>

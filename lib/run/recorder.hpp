@@ -18,18 +18,18 @@ namespace plumb {
 template <int d>
 class Recorder {
  public:
-  /// Makes the folder if something is to be written. `from`: the files are those of an earlier run and are
-  /// continued from there; else they are begun anew.
+  /// Makes the folder if something is to be written. `from`: the record of an earlier part of the run,
+  /// whose files are continued; null: they are begun anew.
   Recorder(const Output& output, std::filesystem::path folder, const Simulation<d>& simulation,
-           const std::optional<RecorderMark>& from = {});
+           const RunRecord* from = nullptr);
 
   /// Records the state if its time has come. For the run's observer.
   void observe(const Simulation<d>& simulation);
   /// Records the last state of a run unless that has been done, and puts it on the disk.
   void finish(const Simulation<d>& simulation);
 
-  /// How far the files have come, flushed to the disk.
-  RecorderMark mark();
+  /// Flushes the files to the disk and notes in the record how far they have come.
+  void note(RunRecord& record);
 
   const std::vector<BoundProbe>& probes() const { return probes_; }
   std::vector<std::filesystem::path> files() const;

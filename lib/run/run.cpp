@@ -25,11 +25,11 @@ Failure unsound(const UnsoundParticle& found, double time, long step) {
 /// Whether the body as a whole has left its bounds.
 template <int d>
 std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& state, const StepControl& control,
-                                     const RunHistory& history) {
+                                     const RunRecord& record) {
   if (control.energy_bound) {
     const double energy = energy_of(solid, state).total();
     const double round_off = 2 * energy_round_off(solid);  // of this energy and of the initial one
-    if (!(energy <= (1 + *control.energy_bound) * *history.initial_energy + round_off))
+    if (!(energy <= (1 + *control.energy_bound) * *record.initial_energy + round_off))
       return Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
   }
   if (control.hourglass_bound) {
@@ -122,13 +122,13 @@ double next_time_step(const Solid<d>& solid, const State<d>& state, const StepCo
 }
 
 RunResult step_to_the_end(const Steps& steps, const StepControl& control,
-                          const std::function<bool()>& observe, RunHistory& history) {
+                          const std::function<bool()>& observe, RunRecord& record) {
   RunResult result;
   result.stopped = observe && !observe();
   while (!result.stopped && !finished(steps.now(), control) && !at_rest(steps, control, result)) {
     const auto [time, step] = steps.now();
     const double allowed = steps.allowed();
-    if (!(allowed > control.collapse * history.dt.first)) {
+    if (!(allowed > control.collapse * record.dt.first)) {
       const Cause cause = std::isfinite(allowed) ? Cause::time_step_collapse : Cause::non_finite;
       result.failure = Failure{time, step, cause, -1, allowed, "time step"};
       break;
@@ -138,27 +138,26 @@ RunResult step_to_the_end(const Steps& steps, const StepControl& control,
     if (result.failure) break;
     if (next.meets) steps.set_time(*next.meets);
     if (!next.last)
-      history.dt.count(allowed);
-    else if (history.dt.first == 0)
-      history.dt.count(next.dt);
-    if (steps.now().step % steps_between_checks == 0) result.failure = steps.out_of_bounds(history);
+      record.dt.count(allowed);
+    else if (record.dt.first == 0)
+      record.dt.count(next.dt);
+    if (steps.now().step % steps_between_checks == 0) result.failure = steps.out_of_bounds(record);
     if (result.failure) break;
     result.stopped = observe && !observe();
   }
   result.failure = restless(control, result, steps.now());
-  result.dt = history.dt;
+  result.dt = record.dt;
   return result;
 }
 
 template <int d>
 RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, RunHistory& history) {
-  if (control.energy_bound && !history.initial_energy)
-    history.initial_energy = energy_of(solid, state).total();
+              const Observer<d>& observe, RunRecord& record) {
+  if (control.energy_bound && !record.initial_energy) record.initial_energy = energy_of(solid, state).total();
   ClosestPairs<d> closest;
   const Steps steps = steps_of(solid, state, stepper, control, closest);
   const auto look = [&] { return !observe || observe(solid, state); };
-  return step_to_the_end(steps, control, look, history);
+  return step_to_the_end(steps, control, look, record);
 }
 
 template <int d>
@@ -174,7 +173,7 @@ Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper
             if (outcome) return std::nullopt;
             return unsound(*outcome.unsound, state.time, state.step);
           },
-          [&](const RunHistory& history) { return out_of_bounds(solid, state, control, history); }};
+          [&](const RunRecord& record) { return out_of_bounds(solid, state, control, record); }};
 }
 
 template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
@@ -182,9 +181,9 @@ template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl
 template double next_time_step<2>(const Solid<2>&, const State<2>&, const StepControl&, ClosestPairs<2>&);
 template double next_time_step<3>(const Solid<3>&, const State<3>&, const StepControl&, ClosestPairs<3>&);
 template RunResult run<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
-                          const Observer<2>&, RunHistory&);
+                          const Observer<2>&, RunRecord&);
 template RunResult run<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
-                          const Observer<3>&, RunHistory&);
+                          const Observer<3>&, RunRecord&);
 
 template Steps steps_of<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
                            ClosestPairs<2>&);

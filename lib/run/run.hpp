@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/run/run_record.hpp"
 #include "lib/run/saved_state.hpp"
 #include "lib/schemes/default_cfl.hpp"
 #include "lib/schemes/tlsph/time/closest_pairs.hpp"
@@ -44,26 +45,12 @@ struct Failure {
   std::string quantity;
 };
 
-/// Of the steps that the control allowed: one that was cut at a multiple of the interval counts in full, and
-/// the one that was cut at the end not at all, unless it is the only one.
-struct StepStatistics {
-  double first = 0, least = 0, most = 0, last = 0;  ///< [s]
-  void count(double dt);
-};
-
 struct RunResult {
   std::optional<Failure> failure;
   bool stopped = false;            ///< by the observer
   std::optional<double> residual;  ///< the last one, of a run that looks for rest
   StepStatistics dt;
   bool completed() const { return !failure && !stopped; }
-};
-
-/// What lies behind a run, kept up to date for its observer. A continued run starts from that of the run
-/// before: bounds refer to the very first state and the very first step.
-struct RunHistory {
-  StepStatistics dt;
-  std::optional<double> initial_energy;  ///< total [J]; filled in by run() if a bound needs it
 };
 
 /// What the loop over time steps asks of a body, whatever its scheme.
@@ -74,16 +61,16 @@ struct Steps {
   /// Steps by dt [s]. After a failure the state is the one before the step.
   std::function<std::optional<Failure>(double dt)> advance;
   /// Compares the body as a whole with the bounds of the control; asked every so many steps.
-  std::function<std::optional<Failure>(const RunHistory&)> out_of_bounds;
+  std::function<std::optional<Failure>(const RunRecord&)> out_of_bounds;
   /// Unbalanced forces relative to those of loads and supports; nullopt: not looked at after this step.
   /// Empty: the body does not look for rest.
   std::function<std::optional<double>()> residual = {};
 };
 
 /// Steps until the end, a failure, or until `observe` returns false. It is called at the start and after
-/// every step; empty: nobody looks. The history's initial energy is there if a bound needs it.
+/// every step; empty: nobody looks. The record's initial energy is there if a bound needs it.
 RunResult step_to_the_end(const Steps& steps, const StepControl& control,
-                          const std::function<bool()>& observe, RunHistory& history);
+                          const std::function<bool()>& observe, RunRecord& record);
 
 /// Called at the start and after every step; false stops the run.
 template <int d>
@@ -109,13 +96,13 @@ Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper
 /// Steps until the end. On failure the state is the last good one.
 template <int d>
 RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, RunHistory& history);
+              const Observer<d>& observe, RunRecord& record);
 
 /// The same for a run that begins here.
 template <int d>
 RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
               const Observer<d>& observe = {}) {
-  RunHistory none;
+  RunRecord none;
   return run(solid, state, stepper, control, observe, none);
 }
 

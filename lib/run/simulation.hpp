@@ -80,6 +80,6 @@ struct Simulation {
 /// Steps until the end, a failure, or until `observe` returns false. It is called at the start and after
 /// every step.
 template <int d>
-RunResult run(Simulation<d>& simulation, const std::function<bool()>& observe, RunHistory& history);
+RunResult run(Simulation<d>& simulation, const std::function<bool()>& observe, RunRecord& record);
 
 }  // namespace plumb

@@ -78,7 +78,7 @@ void go_by_loads(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) 
     if (!failed) return std::nullopt;
     return no_equilibrium(*failed, now());
   };
-  simulation.steps.out_of_bounds = [](const RunHistory&) { return std::optional<Failure>(); };
+  simulation.steps.out_of_bounds = [](const RunRecord&) { return std::optional<Failure>(); };
   simulation.reactions = [way] {
     std::vector<BoundaryForce<d>> forces;
     for (auto& [boundary, force] : way->load_path().reactions(way->body.motion()))

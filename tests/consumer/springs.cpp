@@ -22,7 +22,7 @@ plumb::Simulation<1> bar(Index n, double yield,
 }
 
 int main() {
-  plumb::RunHistory none;
+  plumb::RunRecord none;
   std::vector<plumb::Level> levels;
   for (const Index n : {10, 20, 40, 80}) {  // a scene, refined
     auto elastic = bar(n, 1e9, 0.3);
@@ -45,11 +45,11 @@ int main() {
   plumb::run<1>(
       whole, [&] { return recorder.observe(whole), true; }, none = {});
   recorder.finish(whole);
-  auto history = plumb::RunHistory{};  // half the way, kept, and on
+  auto record = plumb::RunRecord{};  // half the way, kept, and on
   plumb::run<1>(
-      first, [&] { return first.steps.now().step < 60; }, history);
+      first, [&] { return first.steps.now().step < 60; }, record);
   second.restore(first.save());
-  plumb::run<1>(second, {}, history);
+  plumb::run<1>(second, {}, record);
   const bool same_bits = whole.save().fields.at(0).values == second.save().fields.at(0).values;
   const auto after = whole.energy();
   // velocity Verlet keeps the energy of a yielding bar to the order of its step

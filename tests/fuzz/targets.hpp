@@ -114,7 +114,7 @@ inline const std::string& whole_checkpoint() {
     c.state.now.step = 7;
     for (const char* name : {"displacement", "velocity", "integrator"})
       c.state.fields.push_back({name, 2, {0.25, -0.5, 1, 3}});
-    c.recorder.particle_times = {0, 0.125};
+    c.record.particle_times = {0, 0.125};
     return std::string(unsealed(bytes_of(c)));
   }();
   return whole;

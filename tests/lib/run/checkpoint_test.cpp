@@ -24,11 +24,12 @@ Checkpoint example() {
                     {"integrator", 2, {-1, -2, -3, -4, -5, -1.0 / 3}},
                     {"stress", 4, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}},
                     {"supports", 2, {0.7, -2.0 / 7}}};
-  c.dt = {1e-5, 0.9e-5, 1.1e-5, 1.05e-5};
-  c.initial_energy = 1.1;
-  c.initial_momentum = {{1, 2, 3}, {4, 5, 6}, 7, 8};
-  c.wall = 12.5, c.cpu = 25, c.writing = 1.5;
-  c.recorder = {3, 99, 4711, {0, 0.1, 0.2}};
+  c.record.dt = {1e-5, 0.9e-5, 1.1e-5, 1.05e-5};
+  c.record.initial_energy = 1.1;
+  c.record.initial_momentum = {{1, 2, 3}, {4, 5, 6}, 7, 8};
+  c.record.wall_s = 12.5, c.record.cpu_s = 25, c.record.writing_s = 1.5;
+  c.record.next_row = 3, c.record.recorded_step = 99, c.record.series_bytes = 4711;
+  c.record.particle_times = {0, 0.1, 0.2};
   return c;
 }
 
@@ -55,25 +56,25 @@ TEST(Checkpoint, GivesBackEveryBit) {
     EXPECT_EQ(back.state.fields[i].values, c.state.fields[i].values);
   }
   EXPECT_TRUE(std::signbit(field_named(back.state.fields, "displacement")->values[1]));
-  EXPECT_EQ(back.dt.least, c.dt.least);
-  EXPECT_EQ(back.dt.last, c.dt.last);
-  EXPECT_EQ(back.initial_energy, 1.1);
-  EXPECT_EQ(back.writing, 1.5);
-  EXPECT_EQ(back.initial_momentum.angular, c.initial_momentum.angular);
-  EXPECT_EQ(back.initial_momentum.angular_scale, 8);
+  EXPECT_EQ(back.record.dt.least, c.record.dt.least);
+  EXPECT_EQ(back.record.dt.last, c.record.dt.last);
+  EXPECT_EQ(back.record.initial_energy, 1.1);
+  EXPECT_EQ(back.record.writing_s, 1.5);
+  EXPECT_EQ(back.record.initial_momentum.angular, c.record.initial_momentum.angular);
+  EXPECT_EQ(back.record.initial_momentum.angular_scale, 8);
   EXPECT_EQ(back.state.work.pair_evaluations, 1L << 50);
-  EXPECT_EQ(back.cpu, 25);
-  EXPECT_EQ(back.recorder.series_bytes, 4711);
-  EXPECT_EQ(back.recorder.particle_times, c.recorder.particle_times);
+  EXPECT_EQ(back.record.cpu_s, 25);
+  EXPECT_EQ(back.record.series_bytes, 4711);
+  EXPECT_EQ(back.record.particle_times, c.record.particle_times);
 }
 
 TEST(Checkpoint, WhatIsNotThereStaysAway) {
   Checkpoint c = example();
   c.state.fields.resize(1);
-  c.recorder.particle_times.clear();
+  c.record.particle_times.clear();
   const Checkpoint back = checkpoint_of(bytes_of(c), "file");
   EXPECT_EQ(field_named(back.state.fields, "integrator"), nullptr);
-  EXPECT_TRUE(back.recorder.particle_times.empty());
+  EXPECT_TRUE(back.record.particle_times.empty());
 }
 
 TEST(Checkpoint, EveryTruncationIsRefused) {

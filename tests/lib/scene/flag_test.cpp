@@ -30,13 +30,13 @@ TEST(Flag, ComesToRestWhereItIsInEquilibrium) {
   Scene scene = read_scene(scenes + "flag-at-rest.toml", coarse);
   auto rest = make_simulation<2>(scene).simulation;
   const Index tip = tip_of(rest.snapshot());
-  RunHistory history;
+  RunRecord history;
   ASSERT_TRUE(run<2>(rest, {}, history).completed());
   const Vec<2> at_rest = rest.at(tip).u;
   scene.relaxation.reset();
   scene.method.scheme = "implicit";
   auto direct = make_simulation<2>(scene).simulation;
-  RunHistory other;
+  RunRecord other;
   ASSERT_TRUE(run<2>(direct, {}, other).completed());
   // a residual of 1e-7 in the softest motion, which is 1e3 times softer than what the supports feel
   EXPECT_NEAR((at_rest - direct.at(tip).u).norm(), 0, 1e-4 * at_rest.norm());
@@ -56,7 +56,7 @@ TEST(Flag, SwingsAsPublished) {
   auto simulation = make_simulation<2>(scene).simulation;
   const Index tip = tip_of(simulation.snapshot());
   double lowest = 0, time_of_lowest = 0, highest_after = -1, time_of_highest = 0;
-  RunHistory history;
+  RunRecord history;
   const auto look = [&] {
     const double u = simulation.at(tip).u[1], time = simulation.steps.now().time;
     if (u < lowest) {

@@ -49,7 +49,7 @@ TEST(Relaxation, FindsTheEquilibriumOfTheDirectSolve) {
     auto rest = make_simulation<2>(block(std::string(text) + "[relaxation]\nresidual = 1e-9\n")).simulation;
     auto direct =
         make_simulation<2>(block(std::string(text) + "[method]\nscheme = \"implicit\"\n")).simulation;
-    RunHistory one, other;
+    RunRecord one, other;
     const RunResult result = run<2>(rest, {}, one);
     ASSERT_TRUE(result.completed()) << name;
     ASSERT_TRUE(run<2>(direct, {}, other).completed()) << name;
@@ -74,7 +74,7 @@ TEST(Relaxation, FindsTheEquilibriumOfTheDirectSolve) {
 
 TEST(Relaxation, TheSupportCarriesTheWeight) {
   auto rest = make_simulation<2>(block("[load]\ngravity = [\"3\", \"-10\"]\n[relaxation]\n")).simulation;
-  RunHistory history;
+  RunRecord history;
   ASSERT_TRUE(run<2>(rest, {}, history).completed());
   const auto reactions = rest.reactions();
   ASSERT_EQ(reactions.size(), 1u);
@@ -97,7 +97,7 @@ TEST(Reactions, ChangeTheMomentumWithTheLoads) {
   Vec<2> before = momentum(), at_start = force();
   double time = 0;
   int looked = 0;
-  RunHistory history;
+  RunRecord history;
   falls.control.end_time = 0.05;
   run<2>(
       falls,
@@ -138,7 +138,7 @@ displacement = ["t^2", "3*t^2"]
 )",
                                   "test.toml");
   auto carried = make_simulation<2>(scene).simulation;
-  RunHistory history;
+  RunRecord history;
   ASSERT_TRUE(run<2>(carried, {}, history).completed());
   const auto reactions = carried.reactions();
   ASSERT_EQ(reactions.size(), 1u);
@@ -150,7 +150,7 @@ TEST(Relaxation, SaysThatItFoundNoRest) {
   Scene scene = block("[load]\ngravity = [\"0\", \"-10\"]\n[relaxation]\n");
   scene.end_time = 0.05;
   auto simulation = make_simulation<2>(scene).simulation;
-  RunHistory history;
+  RunRecord history;
   const RunResult result = run<2>(simulation, {}, history);
   ASSERT_TRUE(result.failure.has_value());
   EXPECT_EQ(result.failure->cause, Cause::no_convergence);
@@ -163,7 +163,7 @@ TEST(Relaxation, WaitsForTheRamp) {
       make_simulation<2>(
           block("[load]\ngravity = [\"0\", \"-10\"]\nramp = 0.8\n[relaxation]\nresidual = 0.5\n"))
           .simulation;
-  RunHistory history;
+  RunRecord history;
   ASSERT_TRUE(run<2>(simulation, {}, history).completed());
   EXPECT_GE(simulation.steps.now().time, 0.8);
   EXPECT_LT(simulation.steps.now().time, 0.9);

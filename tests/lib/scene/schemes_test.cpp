@@ -64,7 +64,7 @@ class Schemes : public testing::TestWithParam<std::string> {};
 
 TEST_P(Schemes, ASnapshotFitsItself) {
   auto simulation = make_simulation<2>(pulled(GetParam())).simulation;
-  RunHistory history;
+  RunRecord history;
   ASSERT_TRUE(run<2>(simulation, {}, history).completed());
   const Snapshot<2> shown = simulation.snapshot();
   EXPECT_EQ(simulation.scheme, GetParam());
@@ -88,7 +88,7 @@ TEST_P(Schemes, GoOnWithTheSameBits) {
   const Scene scene = pulled(GetParam(), GetParam() == "implicit" ? "[implicit]\nsteps = 6\n" : "");
   auto whole = make_simulation<2>(scene).simulation, first = make_simulation<2>(scene).simulation,
        second = make_simulation<2>(scene).simulation;
-  RunHistory history, halves;
+  RunRecord history, halves;
   run<2>(whole, {}, history);
   const long half = whole.steps.now().step / 2;
   run<2>(
@@ -118,7 +118,7 @@ TEST(SchemesTogether, KeepTheMomentaOfAFreeBody) {
   for (const std::string scheme : {"tlsph", "mixed", "updated", "element"}) {  // an equilibrium has none
     auto simulation = make_simulation<2>(free_plate(scheme)).simulation;
     const Momentum before = simulation.momentum();
-    RunHistory history;
+    RunRecord history;
     ASSERT_TRUE(run<2>(simulation, {}, history).completed());
     const Momentum after = simulation.momentum();
     for (int k = 0; k < 2; ++k)  // round-off of 81 particles and some hundred steps
@@ -141,7 +141,7 @@ TEST(SchemesTogether, AnEquilibriumHasTheReactionOfItsLoad) {
        {pulled("implicit"), pulled("element", by_newton("linear")), pulled("element", by_newton("reduced")),
         pulled("element", by_newton("quadratic"))}) {
     auto equilibrium = make_simulation<2>(scene).simulation;
-    RunHistory history;
+    RunRecord history;
     ASSERT_TRUE(run<2>(equilibrium, {}, history).completed());
     // the force on the clamped face is the traction times the face
     const auto reactions = equilibrium.reactions();
@@ -155,7 +155,7 @@ TEST(SchemesTogether, AnEquilibriumHasTheReactionOfItsLoad) {
 TEST(SchemesTogether, ElementsAndBondsAgree) {
   const auto end_of = [](const Scene& scene) {
     auto equilibrium = make_simulation<2>(scene).simulation;
-    RunHistory history;
+    RunRecord history;
     EXPECT_TRUE(run<2>(equilibrium, {}, history).completed());
     const Snapshot<2> shown = equilibrium.snapshot();
     double end = 0;
@@ -200,7 +200,7 @@ class PlasticSchemes : public testing::TestWithParam<std::string> {};
 
 TEST_P(PlasticSchemes, CarryPlasticity) {
   auto simulation = make_simulation<3>(copper_bar(GetParam())).simulation;
-  RunHistory history;
+  RunRecord history;
   ASSERT_TRUE(run<3>(simulation, {}, history).completed());
   const Snapshot<3> shown = simulation.snapshot();
   double most = 0, upper = 0;
@@ -227,7 +227,7 @@ TEST(SchemesTogether, TheEnergyMomentumRuleKeepsTheEnergy) {
     auto simulation = make_simulation<2>(scene).simulation;
     const double before = simulation.energy().total();
     const Momentum momentum = simulation.momentum();
-    RunHistory history;
+    RunRecord history;
     ASSERT_TRUE(run<2>(simulation, {}, history).completed());
     EXPECT_EQ(simulation.steps.now().step, 20);
     EXPECT_NEAR(simulation.energy().total(), before,

@@ -25,7 +25,7 @@ struct Found3 {
 template <int d, class Found>
 Found equilibrium(const std::string& file, const Sets& set) {
   auto simulation = make_simulation<d>(read_scene(scenes + file, set)).simulation;
-  RunHistory history;
+  RunRecord history;
   EXPECT_TRUE(run<d>(simulation, {}, history).completed()) << file;
   return {simulation.snapshot(), simulation.energy()};
 }

@@ -21,7 +21,7 @@ double period(const std::vector<std::string>& overrides) {
     if ((first.X[i] - Vec<2>(0.199, 0.001)).norm() < 1e-9) tip = static_cast<Index>(i);
   double before = 0, at = 0;
   std::vector<double> zeros;
-  RunHistory history;
+  RunRecord history;
   run<2>(
       simulation,
       [&] {
@@ -74,13 +74,13 @@ TEST(UpdatedScene, ARestartCarriesPairsAndClocks) {
     const Scene scene = plate(more);
     auto whole = make_simulation<2>(scene).simulation, first = make_simulation<2>(scene).simulation,
          second = make_simulation<2>(scene).simulation;
-    RunHistory history;
+    RunRecord history;
     ASSERT_TRUE(run<2>(whole, {}, history).completed());
     const SavedState end = whole.save();
     const bool pairs = field_named(end.fields, "stretch of pairs") != nullptr;
     EXPECT_EQ(pairs, more.find("paper") == std::string::npos);
     for (const long stop : {1L, 7L, end.now.step / 2}) {
-      RunHistory halves;
+      RunRecord halves;
       auto part = make_simulation<2>(scene).simulation;
       run<2>(
           part, [&] { return part.steps.now().step < stop; }, halves);

@@ -100,19 +100,18 @@ int run_into(ResultFolder* folder, const Session& session, const Scene& scene, c
   auto [simulation, tlsph] = make_simulation<d>(scene);
   if (session.threads == 0 && simulation.counts().particles < worth_threads) omp_set_num_threads(1);
   for (const auto& warning : simulation.warnings) session.warn(warning);
-  RunBook book = from ? restore(*from, simulation) : begin_book(simulation);
+  RunRecord record = from ? restore(*from, simulation) : begin_record(simulation);
   std::optional<Checkpoints<d>> checkpoints;
   if (folder) {
     folder->make(from.has_value());
     checkpoints.emplace(folder->checkpoint(), output.checkpoint, version_text(), settings);
   }
-  Recorder<d> recorder(output, folder ? folder->path() : "", simulation,
-                       from ? std::optional(from->recorder) : std::nullopt);
+  Recorder<d> recorder(output, folder ? folder->path() : "", simulation, from ? &record : nullptr);
   if (output.budget) simulation.keep_budget(folder->budget());
-  book.timing.setup = wall_time() - start;
+  record.setup_s = wall_time() - start;
   const RunFiles<d> files{recorder, checkpoints ? &*checkpoints : nullptr};
-  const RunResult result = advance(scene.name, simulation, book, files, session.progress());
-  const FinishedRun<d> finished{scene, simulation, tlsph.get(), result, recorder.probes(), book};
+  const RunResult result = advance(scene.name, simulation, record, files, session.progress());
+  const FinishedRun<d> finished{scene, simulation, tlsph.get(), result, recorder.probes(), record};
   auto json = summary(finished);
   json["settings"] = settings;
   session.text() << summary_text(finished);

@@ -87,7 +87,7 @@ SavedState saved_state(const Scene& scene, const std::string& at) {
     return checkpoint.state;
   }
   Simulation<d> simulation = make_simulation<d>(scene).simulation;
-  RunHistory history;
+  RunRecord history;
   if (!run<d>(simulation, {}, history).completed())
     throw InputError("the scene's run does not reach its end", "it fails on the way",
                      "see plumb run, and name the checkpoint that it leaves");

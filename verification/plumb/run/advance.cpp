@@ -27,15 +27,16 @@ double fraction_done(const StepControl& control, const Moment& now) {
 /// Time that passes while it lives, added to the time of a run that may have been continued.
 class Stopwatch {
  public:
-  explicit Stopwatch(Timing& timing) : timing_(timing), before_(timing) {}
+  explicit Stopwatch(RunRecord& record)
+      : record_(record), wall_before_(record.wall_s), cpu_before_(record.cpu_s) {}
   void read() const {
-    timing_.wall = before_.wall + wall_time() - wall_;
-    timing_.cpu = before_.cpu + cpu_time() - cpu_;
+    record_.wall_s = wall_before_ + wall_time() - wall_;
+    record_.cpu_s = cpu_before_ + cpu_time() - cpu_;
   }
 
  private:
-  Timing& timing_;
-  Timing before_;
+  RunRecord& record_;
+  double wall_before_, cpu_before_;
   double wall_ = wall_time(), cpu_ = cpu_time();
 };
 
@@ -53,21 +54,22 @@ double wall_time() {
 }
 
 template <int d>
-RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
-                  Progress::Style style) {
+RunResult advance(const std::string& name, Simulation<d>& simulation, RunRecord& record,
+                  const RunFiles<d>& files, Progress::Style style) {
   const InterruptGuard guard;
   Progress progress(name, style);
-  const Stopwatch watch(book.timing);
+  const Stopwatch watch(record);
   const double start = wall_time();
   const long first = simulation.steps.now().step;
   const double before = fraction_done(simulation.control, simulation.steps.now());
   const auto keep = [&] {
     watch.read();
-    files.checkpoints->write(simulation, book, files.recorder.mark());
+    files.recorder.note(record);
+    files.checkpoints->write(simulation, record);
   };
   const auto observe = [&] {
     const Moment now = simulation.steps.now();
-    timed(book.timing.writing, [&] {
+    timed(record.writing_s, [&] {
       files.recorder.observe(simulation);
       if (files.checkpoints && files.checkpoints->due(now.time)) keep();
     });
@@ -77,8 +79,8 @@ RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& b
                     before);
     return !interrupted();
   };
-  const RunResult result = run<d>(simulation, observe, book.history);
-  timed(book.timing.writing, [&] {
+  const RunResult result = run<d>(simulation, observe, record);
+  timed(record.writing_s, [&] {
     // before the recorder's last row, which a run that goes on would not have
     if (files.checkpoints && !result.completed()) keep();
     files.recorder.finish(simulation);
@@ -87,11 +89,11 @@ RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& b
   return result;
 }
 
-template RunResult advance<1>(const std::string&, Simulation<1>&, RunBook&, const RunFiles<1>&,
+template RunResult advance<1>(const std::string&, Simulation<1>&, RunRecord&, const RunFiles<1>&,
                               Progress::Style);
-template RunResult advance<2>(const std::string&, Simulation<2>&, RunBook&, const RunFiles<2>&,
+template RunResult advance<2>(const std::string&, Simulation<2>&, RunRecord&, const RunFiles<2>&,
                               Progress::Style);
-template RunResult advance<3>(const std::string&, Simulation<3>&, RunBook&, const RunFiles<3>&,
+template RunResult advance<3>(const std::string&, Simulation<3>&, RunRecord&, const RunFiles<3>&,
                               Progress::Style);
 
 }  // namespace plumb::app

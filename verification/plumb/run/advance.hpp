@@ -12,10 +12,10 @@ struct RunFiles {
   Checkpoints<d>* checkpoints;
 };
 
-/// Runs the steps until the end or a signal, and keeps the book. What an early end leaves can be continued.
+/// Runs the steps until the end or a signal, and keeps the record. What an early end leaves can be continued.
 template <int d>
-RunResult advance(const std::string& name, Simulation<d>& simulation, RunBook& book, const RunFiles<d>& files,
-                  Progress::Style style);
+RunResult advance(const std::string& name, Simulation<d>& simulation, RunRecord& record,
+                  const RunFiles<d>& files, Progress::Style style);
 
 /// Wall time of this machine's steady clock [s].
 double wall_time();

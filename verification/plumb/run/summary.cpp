@@ -92,7 +92,7 @@ template <int d>
 EnergyBudget energy_budget(const FinishedRun<d>& run) {
   const auto& simulation = run.simulation;
   const SchemeEnergy now = simulation.energy();
-  const double initial = run.book.initial_energy;
+  const double initial = run.record.initial_energy.value();
   EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, {}, {}, {}};
   for (const auto& more : now.more) budget.terms[more.name] += more.value;
   budget.dissipated = now.dissipated;
@@ -108,7 +108,7 @@ EnergyBudget energy_budget(const FinishedRun<d>& run) {
 template <int d>
 Drifts drifts_of(const FinishedRun<d>& run) {
   const Momentum now = run.simulation.momentum();
-  const Momentum& before = run.book.initial_momentum;
+  const Momentum& before = run.record.initial_momentum;
   return {drift(now.linear, before.linear, before.linear_scale, now.linear_scale),
           drift(now.angular, before.angular, before.angular_scale, now.angular_scale)};
 }
@@ -150,13 +150,13 @@ Json summary(const FinishedRun<d>& run) {
   if (run.result.failure)
     json["failure"]["likely_cause"] =
         run.tlsph ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first) : "";
-  json["timing"] = {{"setup_s", run.book.timing.setup},
-                    {"wall_s", run.book.timing.wall},
-                    {"cpu_s", run.book.timing.cpu},
-                    {"computing_s", run.book.timing.computing()},
-                    {"writing_s", run.book.timing.writing},
+  json["timing"] = {{"setup_s", run.record.setup_s},
+                    {"wall_s", run.record.wall_s},
+                    {"cpu_s", run.record.cpu_s},
+                    {"computing_s", run.record.computing_s()},
+                    {"writing_s", run.record.writing_s},
                     {"particle_evaluations_per_s",
-                     static_cast<double>(counts.work.particle_evaluations) / run.book.timing.computing()}};
+                     static_cast<double>(counts.work.particle_evaluations) / run.record.computing_s()}};
   json["work"] = {{"particle_evaluations", counts.work.particle_evaluations},
                   {"pair_evaluations", counts.work.pair_evaluations},
                   {"bytes", std::llround(static_cast<double>(counts.work.particle_evaluations) *

@@ -16,7 +16,7 @@ struct FinishedRun {
   const TlsphSimulation<d>* tlsph;  ///< the same of scheme "tlsph"; null for any other
   const RunResult& result;
   const std::vector<BoundProbe>& probes;
-  const RunBook& book;
+  const RunRecord& record;
 };
 
 /// The summary for programs. "hourglass_share": THEORY (8.4). The drifts are distances from the initial

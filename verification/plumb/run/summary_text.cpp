@@ -57,12 +57,12 @@ std::string probe_text(const FinishedRun<d>& run, const BoundProbe& probe) {
 template <int d>
 std::string summary_text(const FinishedRun<d>& run) {
   const Extent<d> extent = extent_of(run.simulation.snapshot());
-  const Timing& timing = run.book.timing;
+  const RunRecord& record = run.record;
   const Moment now = run.simulation.steps.now();
   std::string text = fmt::format(
       "{}: {} at {:.6g} s, {} steps, {} particles\n  computing {}, writing {}, set-up {}\n", run.scene.name,
       status_of(run.result), now.time, now.step, run.simulation.counts().particles,
-      duration_text(timing.computing()), duration_text(timing.writing), duration_text(timing.setup));
+      duration_text(record.computing_s()), duration_text(record.writing_s), duration_text(record.setup_s));
   if (run.result.residual)
     text += fmt::format("  residual {:.3g} of the forces of loads and supports\n", *run.result.residual);
   if (run.result.failure) {

@@ -82,7 +82,7 @@ TEST(RunBounds, InitialEnergyIsThatOfTheHistoryIfThereIsOne) {
     Body body;
     body.set_speed(1);
     body.control.energy_bound = 1;
-    RunHistory history;
+    RunRecord history;
     history.initial_energy = initial * energy_of(body.solid, body.state).total();
     const auto stepper = stepper_that([&](State<2>&) { body.set_speed(std::sqrt(2.5)); });
     const auto result = run<2>(body.solid, body.state, stepper, body.control, {}, history);
