@@ -3,13 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-
-#include "lib/output/file.hpp"
 
 namespace plumb {
 namespace {
@@ -22,23 +17,16 @@ constexpr std::chrono::milliseconds at_most_silent{50};
 
 }  // namespace
 
-std::string name_of_content(const std::string& text) {
-  return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text));
-}
-
 double number_or_nan(const Sitting::Json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
 Sitting::Sitting(const fs::path& folder, std::string content, std::function<bool()> go_on)
-    : content_(std::move(content)), go_on_(std::move(go_on)) {
-  if (folder.empty()) return;
-  file_ = folder / (name_of_content(content_) + ".json");
-  std::ifstream in(file_);
-  const Json kept = Json::parse(in, nullptr, false);
-  const bool ours = kept.is_object() && kept.contains("parts") && kept.value("content", Json()) == content_;
-  if (!ours) return;  // none, or damaged
-  for (const auto& [name, part] : kept["parts"].items()) parts_[name] = part.dump();
+    : store_(folder), content_(std::move(content)), go_on_(std::move(go_on)) {
+  const auto kept = store_.find(content_);
+  if (!kept) return;
+  const Json parts = Json::parse(*kept);
+  for (const auto& [name, part] : parts.items()) parts_[name] = part.dump();
 }
 
 void Sitting::tell(double whole, Listener listener, std::string unit) {
@@ -95,21 +83,20 @@ void Sitting::check(double done, double rate) {
   }
   const std::lock_guard lock(mutex_);
   if (!parts_.empty()) try_to_save();
-  if (parts_.empty() || file_.empty()) throw SittingEnded("interrupted: nothing was kept");
+  if (parts_.empty() || !store_.keeps()) throw SittingEnded("interrupted: nothing was kept");
   if (!problem_.empty()) throw SittingEnded("interrupted: what was finished is lost, " + problem_);
   throw SittingEnded(
       fmt::format("interrupted: {} finished parts are kept in {}; the same call goes on from there",
-                  parts_.size(), file_.string()));
+                  parts_.size(), store_.file_of(content_).string()));
 }
 
 void Sitting::try_to_save() {
-  if (file_.empty()) return;
+  if (!store_.keeps()) return;
   saved_ = std::chrono::steady_clock::now();
   try {
-    make_folder(file_.parent_path(), "unfinished studies");
-    Json whole{{"content", content_}, {"parts", Json::object()}};
-    for (const auto& [name, part] : parts_) whole["parts"][name] = Json::parse(part);
-    replace_file(file_, whole.dump() + "\n");
+    Json whole = Json::object();
+    for (const auto& [name, part] : parts_) whole[name] = Json::parse(part);
+    store_.keep(content_, whole.dump(), "unfinished studies");
     problem_.clear();
   } catch (const std::exception& error) {  // no reason to give up the study
     problem_ = error.what();
@@ -117,10 +104,7 @@ void Sitting::try_to_save() {
 }
 
 void Sitting::close() {
-  if (file_.empty()) return;
-  std::error_code none;  // nothing was kept, or somebody else uses the folder: both are fine
-  fs::remove(file_, none);
-  fs::remove(file_.parent_path(), none);
+  store_.remove(content_);
 }
 
 }  // namespace plumb

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "lib/output/result_store.hpp"
+
 namespace plumb {
 
 /// Thrown out of a study that was asked to end before it was whole.
@@ -62,7 +64,7 @@ class Sitting {
   void say();
   void try_to_save();
 
-  std::filesystem::path file_;
+  ResultStore store_;
   std::string content_;
   std::function<bool()> go_on_;
   std::map<std::string, std::string> parts_;  ///< as JSON text
@@ -75,8 +77,5 @@ class Sitting {
 
 /// The number of a kept part; null, which JSON has for what is not finite, is NaN.
 double number_or_nan(const Sitting::Json& value);
-
-/// A name of 122 bits for a text: the same text has the same one, another text has another.
-std::string name_of_content(const std::string& text);
 
 }  // namespace plumb

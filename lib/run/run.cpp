@@ -1,8 +1,10 @@
 #include "lib/run/run.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/time/closest_pairs.hpp"
@@ -92,6 +94,13 @@ bool finished(const Moment& now, const StepControl& control) {
 }
 
 }  // namespace
+
+Cause cause_named(std::string_view name) {
+  const auto found = std::find(cause_names.begin(), cause_names.end(), name);
+  if (found == cause_names.end())
+    throw std::invalid_argument("no cause of a failure is called " + std::string(name));
+  return static_cast<Cause>(found - cause_names.begin());
+}
 
 std::string_view name_of(Cause cause) {
   return cause_names[static_cast<std::size_t>(cause)];

@@ -35,6 +35,8 @@ struct StepControl {
 
 enum class Cause { non_finite, inverted, energy_growth, time_step_collapse, hourglass, no_convergence };
 std::string_view name_of(Cause cause);
+/// Returns the cause of that name; std::invalid_argument if there is none.
+Cause cause_named(std::string_view name);
 
 struct Failure {
   double time;  ///< [s]

@@ -10,7 +10,7 @@
 #include "lib/core/sentences.hpp"
 #include "lib/output/file.hpp"
 #include "lib/output/json.hpp"
-#include "lib/output/sitting.hpp"
+#include "lib/output/result_store.hpp"
 #include "reports/run/process.hpp"
 
 namespace plumb::reports::run {

@@ -18,7 +18,7 @@
 #include "verification/plumb/provenance.hpp"
 #include "verification/plumb/run/interrupt.hpp"
 #include "verification/plumb/run/kept_folder.hpp"
-#include "verification/plumb/run/trial_cache.hpp"
+#include "verification/plumb/run/kept_trials.hpp"
 #include "verification/plumb/session.hpp"
 
 namespace plumb::app {
@@ -56,7 +56,7 @@ struct Stopped {};  ///< thrown out of a bisection when a signal asks for the en
 
 class Map {
  public:
-  Map(const StabilityStudy& study, TrialCache cache) : study_(study), cache_(std::move(cache)) {
+  Map(const StabilityStudy& study, ResultStore store) : study_(study), store_(std::move(store)) {
     for (const auto& variant : study.variants)
       for (const auto& value : study.values) cells.push_back({&variant, value, {}, {}, false});
   }
@@ -104,17 +104,17 @@ class Map {
   const Trial& trial(Cell& cell, double value) {
     const auto overrides = overrides_of(study_, *cell.variant, cell.over_value, value);
     const std::string content = content_of(study_, overrides, value);
-    auto found = cache_.find(content);
+    auto found = find_trial(store_, content);
     if (!found) {
       found = try_scene(scene_of(study_, overrides, value), study_.bounds, [] { return !interrupted(); });
       if (!found) throw Stopped{};
-      if (found->refused.empty()) cache_.keep(content, *found);
+      if (found->refused.empty()) keep_trial(store_, content, *found);
     }
     return cell.trials.emplace_back(value, *found).second;
   }
 
   const StabilityStudy& study_;
-  TrialCache cache_;
+  ResultStore store_;
 };
 
 /// The run that shows how it ends beyond the edge: the one at the least unstable value.
@@ -166,7 +166,7 @@ int stability(const Session& session, const StabilityOptions& options) {
     make_folder(options.cache, "--cache");
   }
   Progress progress(study.name, session.progress());
-  Map map(study, TrialCache(options.cache));
+  Map map(study, ResultStore(options.cache));
   const bool whole = map.make(progress);
   progress.finish();
   require_some(map.cells);

@@ -6,6 +6,7 @@
 
 #include "lib/geometry/position_text.hpp"
 #include "lib/output/file.hpp"
+#include "lib/output/result_store.hpp"
 #include "lib/schemes/tlsph/compatible/solver/least_change.hpp"
 #include "lib/schemes/tlsph/compatible/solver/projection_cache.hpp"
 
@@ -72,9 +73,10 @@ LeastChange project(AreaTable<d>& table, const Cloud<d>& cloud, const Compatible
                     CompatibleReport& report) {
   if (options.cache.empty()) return least_change(table, cloud.X, options.volume_weight, options.solver);
   require_folder(options.cache, "[compatible] cache");  // before the work, not after it
-  const auto file = options.cache / projection_name(table, options.volume_weight);
+  const ResultStore store(options.cache);
+  const std::string text = projection_text(table, options.volume_weight);
   AreaTable<d> kept = table;
-  if (read_projection(file, kept)) {
+  if (const auto bytes = store.find(text); bytes && read_projection<d>(*bytes, kept)) {
     LeastChange found{};
     found.start_residual = largest<d>(missing(table));
     found.residual = largest<d>(missing(kept));
@@ -87,7 +89,7 @@ LeastChange project(AreaTable<d>& table, const Cloud<d>& cloud, const Compatible
     }
   }
   const LeastChange found = least_change(table, cloud.X, options.volume_weight, options.solver);
-  if (found.residual < tolerance) write_projection(file, table);
+  if (found.residual < tolerance) store.keep(text, projection_bytes(table), "[compatible] cache");
   return found;
 }
 

@@ -4,12 +4,6 @@
 
 #include <boost/crc.hpp>
 #include <cstring>
-#include <fstream>
-#include <sstream>
-
-#include "lib/core/error.hpp"
-#include "lib/output/file.hpp"
-#include "lib/output/sealed.hpp"
 
 namespace plumb {
 namespace {
@@ -25,7 +19,7 @@ std::size_t bytes_of(const AreaTable<d>& table) {
 }  // namespace
 
 template <int d>
-std::string projection_name(const AreaTable<d>& start, double volume_weight) {
+std::string projection_text(const AreaTable<d>& start, double volume_weight) {
   boost::crc_optimal<64, 0x42F0E1EBA9EA3693, ~0ULL, ~0ULL, true, true> crc;
   const auto add = [&crc](const auto& value) { crc.process_bytes(&value, sizeof(value)); };
   crc.process_bytes(method.data(), method.size());
@@ -40,23 +34,11 @@ std::string projection_name(const AreaTable<d>& start, double volume_weight) {
   for (const double volume : start.volume) add(volume);
   for (const auto& B : start.boundary)
     for (int k = 0; k < d; ++k) add(B[k]);
-  return fmt::format("{}d-{}-{}-{:016x}.compatible", d, start.particles(), start.pairs.size(),
-                     crc.checksum());
+  return fmt::format("{}d-{}-{}-{:016x}", d, start.particles(), start.pairs.size(), crc.checksum());
 }
 
 template <int d>
-bool read_projection(const std::filesystem::path& file, AreaTable<d>& table) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return false;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const std::string all = std::move(text).str();
-  std::string_view bytes;
-  try {
-    bytes = unsealed(all);
-  } catch (const InputError&) {  // cut off or damaged: as if it were not there
-    return false;
-  }
+bool read_projection(std::string_view bytes, AreaTable<d>& table) {
   if (bytes.size() != bytes_of(table)) return false;
   const char* at = bytes.data();
   const auto next = [&at] {
@@ -72,8 +54,7 @@ bool read_projection(const std::filesystem::path& file, AreaTable<d>& table) {
 }
 
 template <int d>
-void write_projection(const std::filesystem::path& file, const AreaTable<d>& table) {
-  make_folder(file.parent_path(), "[compatible] cache");
+std::string projection_bytes(const AreaTable<d>& table) {
   std::string bytes;
   bytes.reserve(bytes_of(table));
   const auto add = [&bytes](double value) {
@@ -82,13 +63,13 @@ void write_projection(const std::filesystem::path& file, const AreaTable<d>& tab
   for (const auto& pair : table.pairs)
     for (int k = 0; k < d; ++k) add(pair.A[k]);
   for (const double volume : table.volume) add(volume);
-  replace_file(file, sealed(bytes));
+  return bytes;
 }
 
-#define PLUMB_INSTANTIATE(d)                                                     \
-  template std::string projection_name<d>(const AreaTable<d>&, double);          \
-  template bool read_projection<d>(const std::filesystem::path&, AreaTable<d>&); \
-  template void write_projection<d>(const std::filesystem::path&, const AreaTable<d>&);
+#define PLUMB_INSTANTIATE(d)                                            \
+  template std::string projection_text<d>(const AreaTable<d>&, double); \
+  template std::string projection_bytes<d>(const AreaTable<d>&);        \
+  template bool read_projection<d>(std::string_view, AreaTable<d>&);
 PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)

@@ -1,25 +1,23 @@
 #pragma once
-#include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "lib/schemes/tlsph/compatible/area_vectors.hpp"
 
 namespace plumb {
 
-/// A folder of projected tables, each under a name made from all that its projection depends on: positions,
-/// start vectors, weights, volumes, boundary vectors (in units of the spacing) and how readily volumes
-/// change. Another cloud, kernel or start table has another name; files may be removed at any time.
-
-/// The name of the file for this start table: 64 bits of a checksum over its content, and its size.
+/// Says in a text all that a projection depends on: positions, start vectors, weights, volumes, boundary vectors (in
+/// units of the spacing) and how readily volumes change, by 64 bits of a checksum and by their number. Another cloud,
+/// kernel or start table has another text.
 template <int d>
-std::string projection_name(const AreaTable<d>& start, double volume_weight);
+std::string projection_text(const AreaTable<d>& start, double volume_weight);
 
-/// Replaces area vectors and volumes by those in the file, if it is there, whole and of the same size.
+/// Returns area vectors and volumes as bytes.
 template <int d>
-bool read_projection(const std::filesystem::path& file, AreaTable<d>& table);
+std::string projection_bytes(const AreaTable<d>& table);
 
-/// Writes them as one file (replace_file). Makes the folder; InputError if that cannot be done.
+/// Replaces area vectors and volumes by those in the bytes; false if the bytes are of another size.
 template <int d>
-void write_projection(const std::filesystem::path& file, const AreaTable<d>& table);
+bool read_projection(std::string_view bytes, AreaTable<d>& table);
 
 }  // namespace plumb
