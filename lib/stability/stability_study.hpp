@@ -41,7 +41,7 @@ StabilityStudy read_stability_study(const std::string& path, const std::vector<s
 std::vector<std::string> overrides_of(const StabilityStudy& study, const Variant& variant,
                                       const std::string& over_value, double value);
 /// The scene of that run. A twist multiplies the formulas of initial.velocity.
-Scene scene_of(const StabilityStudy& study, const std::vector<std::string>& overrides, double value);
+Scene varied_scene(const StabilityStudy& study, const std::vector<std::string>& overrides, double value);
 
 std::string name_of(EdgeParameter parameter);
 

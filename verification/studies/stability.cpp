@@ -18,7 +18,7 @@ StabilityStudy study_named(const std::string& name) {
 }
 
 bool stable(const StabilityStudy& study, const std::vector<std::string>& overrides, double value) {
-  return try_scene(scene_of(study, overrides, value), study.bounds, [] { return true; })->stable();
+  return try_scene(varied_scene(study, overrides, value), study.bounds, [] { return true; })->stable();
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ TEST_CASE("the cfl limit of small motion is that of the largest eigenvalue", "[s
   const StabilityStudy study = study_named("small-motion");
   for (const auto& variant : study.variants)
     for (const auto& beta : study.values) {
-      const Scene scene = scene_of(study, overrides_of(study, variant, beta, 1), 1);
+      const Scene scene = varied_scene(study, overrides_of(study, variant, beta, 1), 1);
       const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
       LinearOperator<2> op(simulation.solid, simulation.supports);
       const double theory = oscillation_limit(scene.method.integrator) / std::sqrt(spectrum_of(op).largest);
@@ -44,7 +44,7 @@ TEST_CASE("the largest dissipation at a fixed step is that of (6.5)", "[stabilit
   const StabilityStudy study = study_named("plate-eta4-step");
   const auto& variant = study.variants.back();  // symmetrised, improved F
   for (const auto& step : {study.values[1], study.values[2]}) {
-    Scene scene = scene_of(study, overrides_of(study, variant, step, 1), 1);
+    Scene scene = varied_scene(study, overrides_of(study, variant, step, 1), 1);
     const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
     // the limit on the step at eta4 = 1 is inversely proportional to eta4
     const double theory = simulation.solid.step_limit / *scene.method.time_step;

@@ -231,7 +231,7 @@ TEST_CASE("the schemes of the maps of stability end alike in other units and at 
     const bool nodes = std::ranges::find(overrides, "body.layout=node") != overrides.end();
     short_run.insert(short_run.end(), {"scene.end_time=10 ms", nodes ? "body.spacing=0.3333333333333333"
                                                                      : "body.particles=[4, 4, 24]"});
-    const Scene si = scene_of(study, short_run, 0.3);
+    const Scene si = varied_scene(study, short_run, 0.3);
     const auto reference = try_scene(si, study.bounds, [] { return true; });
     for (const Units& u : others) {
       const auto other = try_scene(scaled(si, u), study.bounds, [] { return true; });

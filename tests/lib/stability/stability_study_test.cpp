@@ -39,7 +39,7 @@ TEST_F(StabilityStudyFile, SchemesOfAnotherFileFollowItsOwn) {
   EXPECT_EQ(one.variants[0].name, "own");
   EXPECT_EQ(one.variants[1].name, "standard");
   EXPECT_EQ(one.variants[1].set, std::vector<std::string>{"method.gradient=standard"});
-  EXPECT_EQ(scene_of(one, overrides_of(one, one.variants[1], "", 0.5), 0.5).method.gradient, "standard");
+  EXPECT_EQ(varied_scene(one, overrides_of(one, one.variants[1], "", 0.5), 0.5).method.gradient, "standard");
 }
 
 TEST_F(StabilityStudyFile, WithoutSchemesItIsTheSceneAsWritten) {

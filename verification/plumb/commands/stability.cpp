@@ -106,7 +106,7 @@ class Map {
     const std::string content = content_of(study_, overrides, value);
     auto found = find_trial(store_, content);
     if (!found) {
-      found = try_scene(scene_of(study_, overrides, value), study_.bounds, [] { return !interrupted(); });
+      found = try_scene(varied_scene(study_, overrides, value), study_.bounds, [] { return !interrupted(); });
       if (!found) throw Stopped{};
       if (found->refused.empty()) keep_trial(store_, content, *found);
     }

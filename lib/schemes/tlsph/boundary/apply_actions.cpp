@@ -174,10 +174,10 @@ Term<d> held_term(const Solid<d>& solid, const Actions<d>& actions) {
                                 BlockForce<d>& force) {
     for (auto at = first_in(*entries, block.begin()); at != entries->end() && at->slot < block.end(); ++at) {
       const Held<d>& boundary = (*held)[at->held];
-      force(at->component, at->slot) =
-          boundary.steady
-              ? 0
-              : body.elastic.density * boundary.motion(at->at, at->component, now.time).acceleration;
+      double& f = force(at->component, at->slot);
+      f = 0;
+      if (!boundary.steady)
+        f = body.elastic.density * boundary.motion(at->at, at->component, now.time).acceleration;
     }
   };
   return term;

@@ -58,20 +58,20 @@ struct Verlet {
     Outcome accelerate(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
       const double per_mass = 1 / solid.elastic.density;
       std::fill(kicked_.begin(), kicked_.end(), 0);
-      return evaluate(solid, workspace, state, state.time + dt,
-                      [&](const Block& block, BlockForce<d>& force) {
-                        for (int k = 0; k < d; ++k) {
-                          double* v = state.v[k];
-                          double* a = a_[k];
-                          const double* f = force.at(k, block.begin()) - block.begin();
+      const auto kick = [&](const Block& block, BlockForce<d>& force) {
+        for (int k = 0; k < d; ++k) {
+          double* v = state.v[k];
+          double* a = a_[k];
+          const double* f = force.at(k, block.begin()) - block.begin();
 #pragma omp simd
-                          for (Index i = block.begin(); i < block.end(); ++i) {
-                            a[i] = per_mass * f[i];
-                            v[i] += 0.5 * dt * a[i];
-                          }
-                        }
-                        kicked_[block.begin() / block_slots] = 1;
-                      });
+          for (Index i = block.begin(); i < block.end(); ++i) {
+            a[i] = per_mass * f[i];
+            v[i] += 0.5 * dt * a[i];
+          }
+        }
+        kicked_[block.begin() / block_slots] = 1;
+      };
+      return evaluate(solid, workspace, state, state.time + dt, kick);
     }
 
     void kick_and_drift(const Solid<d>& solid, State<d>& state, double dt) {
