@@ -10,6 +10,7 @@
 
 #include "lib/geometry/shaped_cloud.hpp"
 #include "lib/scene/scheme_simulation.hpp"
+#include "lib/scene/simulation.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
@@ -196,6 +197,16 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
 }
 
 template <int d>
+NodalValues<d> values_of_body(const Study& study, const Solid<d>& solid, const State<d>& state,
+                              const Manufactured<d>& solution) {
+  auto values = nodal_values<d>(solid, state, solution.first_piola);
+  const double speed = solid.elastic.wave_speed();
+  require_same_law<d>(nodal_values<d>(snapshot_of<d>(solid, state, study.material)), values,
+                      solid.elastic.density * speed * speed);
+  return values;
+}
+
+template <int d>
 LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
                       Sitting& sitting) {
   if (has_own_body(study.method.scheme))
@@ -220,7 +231,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   out.level.pair_evaluations = body.stepper.workspace->work.pair_evaluations;
   if (result.failure)
     out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
-  out.values = nodal_values<d>(solid, simulation.state, solution.first_piola);
+  out.values = values_of_body<d>(study, solid, simulation.state, solution);
   if (solid.bonds.mirror) out.walls = solid.bonds.mirror->walls;
   out.cloud = std::move(solid.cloud);
   return out;
@@ -249,6 +260,8 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);            \
   template TlsphSimulation<d> driven_simulation<d>(const Study&, const Manufactured<d>&, double);      \
   template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
+  template NodalValues<d> values_of_body<d>(const Study&, const Solid<d>&, const State<d>&,            \
+                                            const Manufactured<d>&);                                   \
   template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&);     \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
 PLUMBLINE_INSTANTIATE(2)

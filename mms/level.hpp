@@ -43,6 +43,12 @@ struct DrivenBody {
   Stepper<d> stepper;
 };
 
+/// Returns what a total Lagrangian body of the study knows at its particles, the stress by the law of the solution; the
+/// body's own stress is the same, or std::logic_error (require_same_law).
+template <int d>
+NodalValues<d> values_of_body(const Study& study, const Solid<d>& solid, const State<d>& state,
+                              const Manufactured<d>& solution);
+
 /// Norms as a part of a sitting, and back.
 Sitting::Json json_of(const ErrorNorms& norms);
 ErrorNorms norms_of(const Sitting::Json& part);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include "lib/geometry/neighbours.hpp"
 #include "lib/measures/measures.hpp"
@@ -153,6 +154,21 @@ NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state, const 
 }
 
 template <int d>
+void require_same_law(const NodalValues<d>& by_body, const NodalValues<d>& by_solution, double modulus) {
+  double largest = modulus;
+  for (const auto& value : by_solution) largest = std::max(largest, value.stress.norm());
+  for (std::size_t i = 0; i < by_solution.size(); ++i) {
+    if (!by_solution[i].stress.allFinite()) continue;  // of a run that failed
+    const double apart = (by_body[i].stress - by_solution[i].stress).norm();
+    // 1e-11: some ten products of numbers that cancel to strains of 1e-4 of their size
+    if (!(apart <= 1e-11 * largest))
+      throw std::logic_error(
+          fmt::format("particle {}: the body has the stress {:.15g} Pa, the law of the solution {:.15g} Pa",
+                      i, by_body[i].stress.norm(), by_solution[i].stress.norm()));
+  }
+}
+
+template <int d>
 NodalValues<d> difference(const NodalValues<d>& a, const NodalValues<d>& b) {
   NodalValues<d> out(a.size());
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -192,6 +208,7 @@ ErrorNorms gauss_size(const Box<d>& box, const ExactField<d>& exact, int tiles, 
 
 #define PLUMBLINE_INSTANTIATE(d)                                                                       \
   template NodalValues<d> nodal_values<d>(const Solid<d>&, const State<d>&, const StressFunction<d>&); \
+  template void require_same_law<d>(const NodalValues<d>&, const NodalValues<d>&, double);             \
   template NodalValues<d> difference<d>(const NodalValues<d>&, const NodalValues<d>&);                 \
   template ErrorNorms nodal_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&);    \
   template ErrorNorms nodal_size<d>(const Cloud<d>&, const ExactField<d>&);                            \

@@ -31,6 +31,12 @@ using StressFunction = std::function<Mat<d>(const Mat<d>& F)>;
 template <int d>
 NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state, const StressFunction<d>& stress);
 
+/// Compares the stress that a body shows with what the law of the solution makes of its F, particle by particle. They come
+/// by two paths: the scene's material through the scheme, and the solution's own. Throws std::logic_error if they differ
+/// by more than rounding. `modulus`: rho c^2 [Pa], the size of a stress at a strain of one.
+template <int d>
+void require_same_law(const NodalValues<d>& by_body, const NodalValues<d>& by_solution, double modulus);
+
 /// a - b, particle by particle.
 template <int d>
 NodalValues<d> difference(const NodalValues<d>& a, const NodalValues<d>& b);

@@ -8,6 +8,7 @@
 
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/statics/statics.hpp"
+#include "mms/level.hpp"
 #include "mms/manufactured.hpp"
 
 namespace plumb::mms {
@@ -68,8 +69,9 @@ Exact<d> exact_at(const Manufactured<d>& solution, const Cloud<d>& cloud, double
 }
 
 template <int d>
-void measure_equilibrium(const Solid<d>& solid, const Linearised& body, const Exact<d>& exact,
-                         const Manufactured<d>& solution, double time, StaticLevel& level) {
+void measure_equilibrium(const Study& study, const Solid<d>& solid, const Linearised& body,
+                         const Exact<d>& exact, const Manufactured<d>& solution, double time,
+                         StaticLevel& level) {
   const Cloud<d>& cloud = solid.cloud;
   std::vector<Prescribed> prescribed;
   for (Index i = 0; i < cloud.size(); ++i) {
@@ -85,7 +87,7 @@ void measure_equilibrium(const Solid<d>& solid, const Linearised& body, const Ex
     const Motion<d> m = solution.motion(X, time);
     return {m.displacement, m.F - Mat<d>::Identity(), Vec<d>::Zero(), solution.first_piola(m.F)};
   };
-  const NodalValues<d> values = nodal_values<d>(solid, state, solution.first_piola);
+  const NodalValues<d> values = values_of_body<d>(study, solid, state, solution);
   level.error = nodal_norms<d>(cloud, values, field);
   level.exact = nodal_size<d>(cloud, field);
 }
@@ -123,7 +125,7 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   const double time = end_time(study);
   const Exact<d> exact = exact_at(solution, solid.cloud, time);
   const Linearised body = linearise(solid);
-  measure_equilibrium(solid, body, exact, solution, time, level);
+  measure_equilibrium(study, solid, body, exact, solution, time, level);
   if (exact.unbalanced < balanced) {
     const double omega = 2 * std::acos(-1.0) / solution.period;
     try {

@@ -76,7 +76,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
       throw InputError(
           "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
           std::string(name_of(result.failure->cause)), "Choose a stable scheme or a shorter time.");
-    return json_of<d>(nodal_values<d>(simulation.solid, simulation.state, solution.first_piola));
+    return json_of<d>(values_of_body<d>(study, simulation.solid, simulation.state, solution));
   };
   LevelRun<d> out;
   out.values = values_of<d>(

@@ -110,5 +110,19 @@ TEST(NodalNorms, ABrokenFieldIsNotANumber) {
   EXPECT_TRUE(std::isnan(nodal_norms<2>(cloud, values, nothing).linf));
 }
 
+/// 1e-11 of the modulus is rounding; a thousandth of a stress, a sign or a number that is not finite is another law.
+TEST(SameLaw, RefusesAnotherStress) {
+  const NodalValues<2> right = sampled(plate(Layout::node));
+  const double modulus = 5;
+  NodalValues<2> body = right;
+  for (auto& value : body) value.stress *= 1 + 1e-14;
+  EXPECT_NO_THROW(require_same_law<2>(body, right, modulus));
+  for (const double wrong : {0.999, -1.0, std::nan("")}) {
+    body = right;
+    body.back().stress *= wrong;
+    EXPECT_THROW(require_same_law<2>(body, right, modulus), std::logic_error) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace plumb::mms
