@@ -74,52 +74,6 @@ Scene scene_of_level(const Study& study, const std::vector<Wall>& walls, double 
 
 }  // namespace
 
-Sitting::Json json_of(const ErrorNorms& norms) {
-  Sitting::Json part;
-  for (const NormName& norm : norm_names) part[std::string(norm.name)] = norms.*norm.value;
-  return part;
-}
-
-ErrorNorms norms_of(const Sitting::Json& part) {
-  ErrorNorms norms;
-  for (const NormName& norm : norm_names) norms.*norm.value = number_or_nan(part[std::string(norm.name)]);
-  return norms;
-}
-
-Sitting::Json json_of(const StudyLevel& level) {
-  return {{"n", level.n},
-          {"d", level.d},
-          {"dt", level.dt},
-          {"steps", level.steps},
-          {"nodal", json_of(level.nodal)},
-          {"gauss", level.gauss ? json_of(*level.gauss) : Sitting::Json()},
-          {"exact", json_of(level.exact)},
-          {"exact_gauss", level.exact_gauss ? json_of(*level.exact_gauss) : Sitting::Json()},
-          {"cpu_s", level.cpu_s},
-          {"wall_s", level.wall_s},
-          {"setup_s", level.setup_s},
-          {"pair_evaluations", level.pair_evaluations},
-          {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()}};
-}
-
-StudyLevel level_of(const Sitting::Json& part) {
-  StudyLevel level;
-  level.n = part["n"];
-  level.d = part["d"];
-  level.dt = part["dt"];
-  level.steps = part["steps"];
-  level.nodal = norms_of(part["nodal"]);
-  if (!part["gauss"].is_null()) level.gauss = norms_of(part["gauss"]);
-  level.exact = norms_of(part["exact"]);
-  if (!part["exact_gauss"].is_null()) level.exact_gauss = norms_of(part["exact_gauss"]);
-  level.cpu_s = part["cpu_s"];
-  level.wall_s = part["wall_s"];
-  level.setup_s = part["setup_s"];
-  level.pair_evaluations = part["pair_evaluations"];
-  if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
-  return level;
-}
-
 Scene scene_of_level(const Study& study, double spacing) {
   return scene_of_level(study, {}, spacing, end_time(study));
 }

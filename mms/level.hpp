@@ -25,6 +25,23 @@ struct StudyLevel {
   double setup_s = 0;                     ///< CPU time of the set-up
   std::int64_t pair_evaluations = 0;
   std::optional<std::string> failure;  ///< cause and time, if the run became unstable
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("n", self.n);
+    visit("d", self.d);
+    visit("dt", self.dt);
+    visit("steps", self.steps);
+    visit("nodal", self.nodal);
+    visit("gauss", self.gauss);
+    visit("exact", self.exact);
+    visit("exact_gauss", self.exact_gauss);
+    visit("cpu_s", self.cpu_s);
+    visit("wall_s", self.wall_s);
+    visit("setup_s", self.setup_s);
+    visit("pair_evaluations", self.pair_evaluations);
+    visit("failure", self.failure);
+  }
 };
 
 /// What a run leaves: its numbers, and the field at its end.
@@ -48,14 +65,6 @@ struct DrivenBody {
 template <int d>
 NodalValues<d> values_of_body(const Study& study, const Solid<d>& solid, const State<d>& state,
                               const Manufactured<d>& solution);
-
-/// Norms as a part of a sitting, and back.
-Sitting::Json json_of(const ErrorNorms& norms);
-ErrorNorms norms_of(const Sitting::Json& part);
-
-/// A level as a part of a sitting, and back.
-Sitting::Json json_of(const StudyLevel& level);
-StudyLevel level_of(const Sitting::Json& part);
 
 /// Which norms a study asks for.
 bool wants_gauss(const Study& study);

@@ -52,6 +52,9 @@ struct ErrorNorms {
   double linf = 0;         ///< largest |u - u_h|
   double velocity_l2 = 0;  ///< of u_t
   double stress_l2 = 0;    ///< of P, Frobenius norm
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit);
 };
 
 /// One norm by its name.
@@ -65,6 +68,11 @@ inline constexpr std::array<NormName, 5> norm_names{
      {"linf", "max", &ErrorNorms::linf},
      {"velocity_l2", "velocity, L2", &ErrorNorms::velocity_l2},
      {"stress_l2", "stress, L2", &ErrorNorms::stress_l2}}};
+
+template <class Self, class Visit>
+void ErrorNorms::fields(Self& self, Visit&& visit) {
+  for (const NormName& norm : norm_names) visit(norm.name.data(), self.*norm.value);  // each ends with a zero
+}
 
 /// Nodal norms: the integrals are sums over particles with their volumes, the gradient is F_i - I and the
 /// stress P(F_i).

@@ -118,7 +118,8 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   const double start = cpu_now();
   const TlsphSimulation<d> simulation = body_of<d>(study, spacing);
   const Solid<d>& solid = simulation.solid;
-  level.compatible = simulation.compatible;
+  if (simulation.compatible && !simulation.compatible->closed_form)
+    level.projection = {simulation.compatible->divergence_defect, simulation.compatible->residual};
   level.setup_s = cpu_now() - start;
   level.n = solid.cloud.size();
   level.d = spacing;
@@ -139,31 +140,6 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
     }
   }
   level.solve_s = cpu_now() - start - level.setup_s;
-  return level;
-}
-
-Sitting::Json json_of(const StaticLevel& level) {
-  return {
-      {"n", level.n},
-      {"d", level.d},
-      {"error", json_of(level.error)},
-      {"exact", json_of(level.exact)},
-      {"failure", level.failure ? Sitting::Json(*level.failure) : Sitting::Json()},
-      {"frequency_error", level.frequency_error ? Sitting::Json(*level.frequency_error) : Sitting::Json()},
-      {"setup_s", level.setup_s},
-      {"solve_s", level.solve_s}};
-}
-
-StaticLevel static_level_of(const Sitting::Json& part) {
-  StaticLevel level;
-  level.n = part["n"];
-  level.d = part["d"];
-  level.error = norms_of(part["error"]);
-  level.exact = norms_of(part["exact"]);
-  if (!part["failure"].is_null()) level.failure = part["failure"].get<std::string>();
-  if (!part["frequency_error"].is_null()) level.frequency_error = part["frequency_error"].get<double>();
-  level.setup_s = part["setup_s"];
-  level.solve_s = part["solve_s"];
   return level;
 }
 
@@ -207,9 +183,8 @@ StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& 
                      "displacements are prescribed there", "Use layout = \"node\" and a solution on a box.");
   StaticResult result;
   for (const double spacing : study.spacings) {
-    const StaticLevel level = static_level_of(sitting.part(
-        fmt::format("level {}", spacing), [&] { return json_of(run_level<d>(study, solution, spacing)); }));
-    result.levels.push_back(level);
+    result.levels.push_back(sitting.value<StaticLevel>(
+        fmt::format("level {}", spacing), [&] { return run_level<d>(study, solution, spacing); }));
     if (progress)
       progress(static_cast<double>(result.levels.size()) / static_cast<double>(study.spacings.size()),
                fmt::format("d = {:g} m", spacing));

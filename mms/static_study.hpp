@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +7,18 @@
 #include "mms/study.hpp"
 
 namespace plumb::mms {
+
+/// What the projection of a table left over.
+struct ProjectionDefects {
+  double divergence_defect;  ///< CompatibleReport::divergence_defect
+  double residual;           ///< CompatibleReport::residual
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("divergence_defect", self.divergence_defect);
+    visit("residual", self.residual);
+  }
+};
 
 /// One level of a static study.
 struct StaticLevel {
@@ -18,10 +29,23 @@ struct StaticLevel {
   /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
   /// body force, so that it is a vibration.
   std::optional<double> frequency_error;
-  std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
-  std::optional<std::string> failure;  ///< why there is no frequency where there should be one
-  double setup_s = 0;                  ///< CPU time of the bond table [s]
-  double solve_s = 0;                  ///< CPU time of assembly and solution [s]
+  std::optional<ProjectionDefects> projection;  ///< nothing without one
+  std::optional<std::string> failure;           ///< why there is no frequency where there should be one
+  double setup_s = 0;                           ///< CPU time of the bond table [s]
+  double solve_s = 0;                           ///< CPU time of assembly and solution [s]
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("n", self.n);
+    visit("d", self.d);
+    visit("error", self.error);
+    visit("exact", self.exact);
+    visit("failure", self.failure);
+    visit("frequency_error", self.frequency_error);
+    visit("projection", self.projection);
+    visit("setup_s", self.setup_s);
+    visit("solve_s", self.solve_s);
+  }
 
   /// Error over size in one norm.
   double relative(double ErrorNorms::*norm) const { return error.*norm / (exact.*norm); }

@@ -63,18 +63,29 @@ LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution,
   return out;
 }
 
-/// A level, and with `with_floor` also the norms of the modelling error there.
+/// A level, and on one of them also the norms of the modelling error.
+struct MeasuredLevel {
+  StudyLevel level;
+  std::optional<StudyLevel> floor;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("level", self.level);
+    visit("floor", self.floor);
+  }
+};
+
 template <int d>
-Sitting::Json make_level(const Study& study, const Manufactured<d>& solution, double spacing, bool with_floor,
+MeasuredLevel make_level(const Study& study, const Manufactured<d>& solution, double spacing, bool with_floor,
                          Sitting& sitting) {
   LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
   measure<d>(study, exact_field<d>(solution, end_time(study)), run);
-  Sitting::Json made{{"level", json_of(run.level)}};
+  MeasuredLevel made{run.level, {}};
   if (!with_floor) return made;
   LevelRun<d> floor = modelling_error<d>(study, solution, run, sitting);
   measure<d>(
       study, [](const Vec<d>&) { return PointValue<d>{}; }, floor);
-  made["floor"] = json_of(floor.level);
+  made.floor = floor.level;
   return made;
 }
 
@@ -92,9 +103,10 @@ StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& s
   for (const double spacing : study.spacings) {
     const bool with_floor = result.levels.size() == floor_level;
     const auto make = [&] { return make_level<d>(study, solution, spacing, with_floor, sitting); };
-    const auto part = sitting.part(fmt::format("d = {} m", spacing), make, work_of(study, spacing));
-    if (with_floor) floor = level_of(part["floor"]);
-    result.levels.push_back(level_of(part["level"]));
+    const auto made =
+        sitting.value<MeasuredLevel>(fmt::format("d = {} m", spacing), make, work_of(study, spacing));
+    if (made.floor) floor = *made.floor;
+    result.levels.push_back(made.level);
   }
   for (const std::string& norm : norms_of(study))
     result.fits.push_back(fit_norm(study, norm, result.levels, floor));

@@ -18,20 +18,30 @@ namespace {
 constexpr int halvings = 5;
 constexpr std::string_view printed = "rk3, loads at t^n";
 
-template <int d>
-Sitting::Json json_of(const NodalValues<d>& values) {
-  Sitting::Json numbers = Sitting::Json::array();
-  for (const PointValue<d>& value : values) {
-    for (const double u : value.u) numbers.push_back(u);
-    for (const double slope : value.gradient.reshaped()) numbers.push_back(slope);
+/// The field at the end of a run: u and its gradient, particle after particle.
+struct EndField {
+  std::vector<double> numbers;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("numbers", self.numbers);
   }
-  return numbers;
+};
+
+template <int d>
+EndField end_field(const NodalValues<d>& values) {
+  EndField field;
+  for (const PointValue<d>& value : values) {
+    for (const double u : value.u) field.numbers.push_back(u);
+    for (const double slope : value.gradient.reshaped()) field.numbers.push_back(slope);
+  }
+  return field;
 }
 
 template <int d>
-NodalValues<d> values_of(const Sitting::Json& numbers) {
-  NodalValues<d> values(numbers.size() / (d + d * d));
-  auto next = numbers.begin();
+NodalValues<d> values_of(const EndField& field) {
+  NodalValues<d> values(field.numbers.size() / (d + d * d));
+  auto next = field.numbers.begin();
   for (PointValue<d>& value : values) {
     for (double& u : value.u) u = *next++;
     for (double& slope : value.gradient.reshaped()) slope = *next++;
@@ -76,11 +86,11 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
       throw InputError(
           "the run with steps of " + std::to_string(*study.method.time_step) + " s became unstable",
           std::string(name_of(result.failure->cause)), "Choose a stable scheme or a shorter time.");
-    return json_of<d>(values_of_body<d>(study, simulation.solid, simulation.state, solution));
+    return end_field<d>(values_of_body<d>(study, simulation.solid, simulation.state, solution));
   };
   LevelRun<d> out;
-  out.values = values_of<d>(
-      sitting.part(fmt::format("{}, {} steps", integrator, steps), make, work_of(integrator, steps)));
+  out.values = values_of<d>(sitting.value<EndField>(fmt::format("{}, {} steps", integrator, steps), make,
+                                                    work_of(integrator, steps)));
   out.cloud = std::move(simulation.solid.cloud);
   return out;
 }

@@ -13,34 +13,45 @@
 namespace plumb::mms {
 namespace {
 
+/// One run of a level, or why there is none.
+struct TimedRun {
+  std::optional<StudyLevel> level;
+  std::optional<std::string> refused;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("level", self.level);
+    visit("refused", self.refused);
+  }
+};
+
 /// One run of a level; the first one with its norms and those of the exact field.
 template <int d>
-Sitting::Json run_of(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
+StudyLevel run_of(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
   if (warm_up) measure<d>(study, exact_field<d>(solution, end_time(study)), run);
-  return {{"level", json_of(run.level)}};
+  return run.level;
 }
 
-/// The same, or why there is none.
 template <int d>
-Sitting::Json make_run(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
+TimedRun make_run(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
   try {
-    return run_of<d>(study, spacing, warm_up, sitting);
+    return {run_of<d>(study, spacing, warm_up, sitting), {}};
   } catch (const InputError& error) {
-    return {{"refused", sentences(error.problem(), error.why(), "")}};
+    return {{}, sentences(error.problem(), error.why(), "")};
   }
 }
 
 /// Puts what a run measured into the point: the least time, and the span to the slowest.
-void count(const Sitting::Json& part, WorkPoint& point, bool warm_up) {
-  if (part.contains("refused")) {
+void count(const TimedRun& run, WorkPoint& point, bool warm_up) {
+  if (run.refused) {
     point.refused = true;
-    point.failure = part["refused"].get<std::string>();
+    point.failure = run.refused;
     point.error = point.cpu_s = point.wall_s = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  const StudyLevel level = level_of(part["level"]);
+  const StudyLevel& level = run.level.value();
   if (warm_up) {
     point.error = level.nodal.l2 / level.exact.l2;
     point.failure = level.failure;
@@ -60,9 +71,9 @@ void run_once(const Contender& variant, int turn, WorkPoint& point, Sitting& sit
     return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.d, turn == 0, sitting)
                                           : make_run<3>(variant.study, point.d, turn == 0, sitting);
   };
-  const auto part = sitting.part(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.d), make,
-                                 work_of(variant.study, point.d));
-  count(part, point, turn == 0);
+  const auto run = sitting.value<TimedRun>(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.d),
+                                           make, work_of(variant.study, point.d));
+  count(run, point, turn == 0);
 }
 
 using CostAndError = std::pair<double, double>;

@@ -57,21 +57,17 @@ std::vector<Discretisation> levels(const Discretisation& base, const std::vector
   return all;
 }
 
-/// The errors of an estimate as a part of a sitting, and back.
-Sitting::Json part_of(const GradientErrors& errors, double cpu_s) {
-  Sitting::Json part{{"cpu_s", cpu_s}};
-  for (const Norm& norm : norms)
-    if (const auto value = norm.get(errors)) part[norm.name] = *value;
-  return part;
-}
+/// The errors of an estimate and the CPU time that it took [s].
+struct TimedErrors {
+  GradientErrors norms;
+  double cpu_s;
 
-GradientErrors norms_of(const Sitting::Json& part) {
-  const auto found = [&part](const char* name) {
-    return part.contains(name) ? std::optional(number_or_nan(part[name])) : std::nullopt;
-  };
-  return {*found("rmse"), *found("max"), found("interior_rmse"), found("interior_max"),
-          found("boundary_max")};
-}
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("norms", self.norms);
+    visit("cpu_s", self.cpu_s);
+  }
+};
 
 /// The fits of one field and method from its rows.
 void fit_all(const std::vector<StudyRow>& rows, const std::vector<double>& floors,
@@ -135,18 +131,18 @@ RefinementStudy refine(const Discretisation& discretisation, const std::vector<I
       std::vector<StudyRow> rows;
       for (std::size_t k = 0; k < all.size(); ++k) {
         const double R = all[k].support();
-        const auto make = [&] {
+        const auto make = [&]() -> TimedErrors {
           const double start = cpu_seconds();
           std::vector<double> error = estimate(clouds[k], kernel, R, method, samples[k].x);
           const double cpu_s = cpu_seconds() - start;
           for (std::size_t i = 0; i < error.size(); ++i) error[i] -= samples[k].exact[i];
-          return part_of(error_norms(clouds[k], R, error), cpu_s);
+          return {error_norms(clouds[k], R, error), cpu_s};
         };
-        const auto part = sitting.part(
+        const auto made = sitting.value<TimedErrors>(
             fmt::format("{}, {}, {}, n = {}", field.text, method.estimator, name_of(method.pair), all[k].n),
             make, static_cast<double>(all[k].n));
-        rows.push_back({all[k].n, all[k].dx(), R, field.text, method.estimator, method.pair, norms_of(part),
-                        part["cpu_s"]});
+        rows.push_back(
+            {all[k].n, all[k].dx(), R, field.text, method.estimator, method.pair, made.norms, made.cpu_s});
       }
       fit_all(rows, floors, study.fits);
       study.rows.insert(study.rows.end(), rows.begin(), rows.end());

@@ -18,6 +18,15 @@ struct GradientErrors {
   std::optional<double> interior_rmse;  ///< over interior particles
   std::optional<double> interior_max;   ///< over interior particles
   std::optional<double> boundary_max;   ///< over the other particles
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("rmse", self.rmse);
+    visit("max", self.max);
+    visit("interior_rmse", self.interior_rmse);
+    visit("interior_max", self.interior_max);
+    visit("boundary_max", self.boundary_max);
+  }
 };
 
 /// One line of `plumb oned study`.

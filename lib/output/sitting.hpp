@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lib/output/listed.hpp"
 #include "lib/output/result_store.hpp"
 
 namespace plumb {
@@ -41,6 +42,14 @@ class Sitting {
   /// made and the sitting is to end; its text says what was kept and where, or why it could not be.
   /// `work` is its share of what tell() was told.
   Json part(const std::string& name, const std::function<Json()>& make, double work = 1);
+  /// The same of a value that lists its members (listed.hpp): a value made now is returned as it is.
+  template <Listed T>
+  T value(const std::string& name, const std::function<T()>& make, double work = 1) {
+    std::optional<T> made;
+    const Json found = part(
+        name, [&] { return to_json(made.emplace(make())); }, work);
+    return made ? std::move(*made) : from_json<T>(found);
+  }
   /// For the loops inside a part: throws SittingEnded if the sitting is to end. `done` is the share of the
   /// part that is behind and `rate` how fast it goes, per second; they count where parts are made one at a
   /// time.

@@ -43,6 +43,12 @@ struct BoundaryForce {
 struct ArrayEntry {
   std::string name;
   std::size_t bytes;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name);
+    visit("bytes", self.bytes);
+  }
 };
 
 /// A body that moves by some scheme, as everything outside of the scheme sees it. Its functions are called

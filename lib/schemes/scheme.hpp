@@ -62,6 +62,13 @@ struct NeighbourCounts {
 /// One line of what a scene solves: "force", "adjoint: minus the derivative ..", "THEORY (5.1), (5.3)".
 struct Statement {
   std::string topic, text, theory;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("topic", self.topic);
+    visit("text", self.text);
+    visit("theory", self.theory);
+  }
 };
 
 /// A state lists its fields: visit(FieldInfo, Field&).

@@ -9,6 +9,7 @@
 #include "lib/core/type_list.hpp"
 #include "lib/input/unit_names.hpp"
 #include "lib/input/units.hpp"
+#include "lib/material/law.hpp"
 #include "lib/scene/names.hpp"
 #include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
 #include "mms/manufactured.hpp"
@@ -89,6 +90,14 @@ std::string meaning_of_face(const std::string& face) {
   return std::string("the side where ") + face[0] + (face[1] == '-' ? " is least" : " is greatest");
 }
 
+std::vector<NamedParameter> parameters_of(const std::string& law) {
+  std::vector<NamedParameter> all;
+  for (const LawParameter& about : parameters_of_law(law))
+    all.push_back({std::string(about.name), std::string(about.quantity.unit), std::string(about.meaning),
+                   about.required});
+  return all;
+}
+
 }  // namespace
 
 std::vector<NamedPart> named_parts() {
@@ -97,6 +106,7 @@ std::vector<NamedPart> named_parts() {
     for (const auto& name : choice.names) {
       all.push_back(described(choice.meaning, choice.key, name));
       if (choice.meaning == "face") all.back().meaning = meaning_of_face(name);
+      if (choice.meaning == "material") all.back().parameters = parameters_of(name);
     }
   for (const auto& name : names_of(EstimatorCatalogue{})) {
     all.push_back(described("gradient", "--estimator of plumb oned", name));

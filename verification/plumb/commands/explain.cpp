@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "lib/output/listed.hpp"
 #include "lib/output/terminal.hpp"
 #include "lib/scene/limits.hpp"
 #include "lib/scene/scheme_simulation.hpp"
@@ -20,8 +21,6 @@
 
 namespace plumb::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Wall time of one step [s], measured on this machine: the mean over at least 0.1 s or `most` steps, after
 /// one step that warms up. Advances the simulation, which is thrown away. Null if it fails at once.
@@ -51,108 +50,74 @@ long steps_to_end(const StepControl& control, double dt) {
   return static_cast<long>(std::min(by_time, by_count));
 }
 
-Json json_of(const Statement& statement) {
-  return {{"topic", statement.topic}, {"text", statement.text}, {"theory", statement.theory}};
-}
-
-Json json_of(const Costs& costs) {
-  Json parts = Json::array();
-  for (const auto& cost : costs.parts)
-    parts.push_back({{"part", cost.part},
-                     {"built", cost.built},
-                     {"bytes_per_particle", cost.bytes_per_particle},
-                     {"step_time_ratio", cost.time_ratio},
-                     {"dt_ratio", cost.step_ratio ? Json(*cost.step_ratio) : Json()}});
-  return {{"particles", costs.particles}, {"parts", parts}};
-}
-
 template <int d>
-Json explanation(const Scene& scene, const std::string& shows, TlsphSimulation<d>& simulation) {
-  const auto arrays = arrays_of(simulation);
-  const std::size_t bytes = total_bytes(arrays);
+Explanation explanation(const Scene& scene, const std::string& shows, TlsphSimulation<d>& simulation) {
   const Index particles = simulation.solid.cloud.size();
-  const double dt = time_step(simulation.solid, simulation.state, simulation.control);
-  const long steps = steps_to_end(simulation.control, dt);
+  const auto count = static_cast<double>(particles);
   const Parts parts = parts_of(scene, simulation);
-  Json solves = Json::array(), sizes = Json::array();
-  for (const auto& statement : account_of(scene, simulation)) solves.push_back(json_of(statement));
-  for (const auto& array : arrays) sizes.push_back({{"name", array.name}, {"bytes", array.bytes}});
-  Json json{{"scene", scene.name},
-            {"shows", shows},
-            {"dimension", d},
-            {"scheme", scene.method.scheme},
-            {"particles", particles},
-            {"neighbours",
-             {{"mean", static_cast<double>(simulation.solid.bonds.pairs) / static_cast<double>(particles)},
-              {"max", simulation.solid.bonds.most_neighbours}}},
-            {"solves", solves},
-            {"built", parts.built},
-            {"left_out", parts.left_out},
-            {"arrays", sizes},
-            {"memory",
-             {{"bytes", bytes},
-              {"bytes_per_particle", static_cast<double>(bytes) / static_cast<double>(particles)}}},
-            {"dt", dt},
-            {"dt_reason", json_of(step_reason(scene, simulation, dt))},
-            {"steps", steps},
-            {"evaluations_per_step", simulation.stepper.evaluations_per_step}};
-  const auto seconds = seconds_per_step(simulation, dt, steps);
-  json["estimated_wall_s"] = seconds ? Json(*seconds * static_cast<double>(steps)) : Json();
-  json["memory"]["peak_rss"] = peak_resident_bytes();
-  if (simulation.compatible) json["compatible"] = compatible_json(simulation.compatible.get());
-  json["costs"] = json_of(measure_costs(scene));
-  auto warnings = simulation.warnings;
-  for (const auto& limit : limits_of(scene)) warnings.push_back(limit);
-  json["warnings"] = warnings;
-  return json;
+  Explanation made{};
+  made.scene = scene.name;
+  made.shows = shows;
+  made.dimension = d;
+  made.scheme = scene.method.scheme;
+  made.particles = particles;
+  made.neighbours = {static_cast<double>(simulation.solid.bonds.pairs) / count,
+                     simulation.solid.bonds.most_neighbours};
+  made.solves = account_of(scene, simulation);
+  made.built = parts.built;
+  made.left_out = parts.left_out;
+  made.arrays = arrays_of(simulation);
+  const std::size_t bytes = total_bytes(made.arrays);
+  made.dt = time_step(simulation.solid, simulation.state, simulation.control);
+  made.dt_reason = step_reason(scene, simulation, made.dt);
+  made.steps = steps_to_end(simulation.control, made.dt);
+  made.evaluations_per_step = simulation.stepper.evaluations_per_step;
+  if (const auto seconds = seconds_per_step(simulation, made.dt, made.steps))
+    made.estimated_wall_s = *seconds * static_cast<double>(made.steps);
+  made.memory = {bytes, static_cast<double>(bytes) / count, peak_resident_bytes()};
+  made.costs = measure_costs(scene);
+  made.warnings = simulation.warnings;
+  for (const auto& limit : limits_of(scene)) made.warnings.push_back(limit);
+  return made;
 }
 
 /// The same of a scheme with a body of its own, by what the scheme says of itself.
 template <int d>
-Json explanation(const Scene& scene, const std::string& shows, Simulation<d>& simulation) {
+Explanation explanation(const Scene& scene, const std::string& shows, Simulation<d>& simulation) {
   const Counts counts = simulation.counts();
-  const auto arrays = simulation.arrays();
-  const auto particles = static_cast<double>(counts.particles);
-  const std::size_t bytes = total_bytes(arrays);
-  const double dt = simulation.steps.allowed();
-  const long steps = steps_to_end(simulation.control, dt);
-  Json solves = Json::array(), sizes = Json::array();
-  for (const auto& statement : simulation.account()) solves.push_back(json_of(statement));
-  for (const auto& array : arrays) sizes.push_back({{"name", array.name}, {"bytes", array.bytes}});
+  const auto count = static_cast<double>(counts.particles);
+  Explanation made{};
+  made.scene = scene.name;
+  made.shows = shows;
+  made.dimension = d;
+  made.scheme = simulation.scheme;
+  made.particles = counts.particles;
+  made.neighbours = {static_cast<double>(counts.pairs) / count, counts.most_neighbours};
+  made.solves = simulation.account();
+  made.built = {"scheme " + simulation.scheme};
+  made.arrays = simulation.arrays();
+  const std::size_t bytes = total_bytes(made.arrays);
+  made.dt = simulation.steps.allowed();
+  made.dt_reason = {"time step",
+                    simulation.control.fixed_step ? "fixed by the scene" : "what the scheme allows", ""};
+  made.steps = steps_to_end(simulation.control, made.dt);
+  made.evaluations_per_step = simulation.evaluations_per_step;
   const auto start = std::chrono::steady_clock::now();
-  const bool sound = !simulation.steps.advance(dt);
+  const bool sound = !simulation.steps.advance(made.dt);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const std::string reason = simulation.control.fixed_step ? "fixed by the scene" : "what the scheme allows";
-  return {{"scene", scene.name},
-          {"shows", shows},
-          {"dimension", d},
-          {"scheme", simulation.scheme},
-          {"particles", counts.particles},
-          {"neighbours",
-           {{"mean", static_cast<double>(counts.pairs) / particles}, {"max", counts.most_neighbours}}},
-          {"solves", solves},
-          {"built", Json::array({"scheme " + simulation.scheme})},
-          {"left_out", Json::array()},
-          {"arrays", sizes},
-          {"memory",
-           {{"bytes", bytes},
-            {"bytes_per_particle", static_cast<double>(bytes) / particles},
-            {"peak_rss", peak_resident_bytes()}}},
-          {"dt", dt},
-          {"dt_reason", json_of(Statement{"time step", reason, ""})},
-          {"steps", steps},
-          {"evaluations_per_step", simulation.evaluations_per_step},
-          {"estimated_wall_s", sound ? Json(seconds.count() * static_cast<double>(steps)) : Json()},
-          {"costs", {{"particles", counts.particles}, {"parts", Json::array()}}},
-          {"warnings", simulation.warnings}};
+  if (sound) made.estimated_wall_s = seconds.count() * static_cast<double>(made.steps);
+  made.memory = {bytes, static_cast<double>(bytes) / count, peak_resident_bytes()};
+  made.costs.particles = counts.particles;
+  made.warnings = simulation.warnings;
+  return made;
 }
 
 template <int d>
 int explain_scheme(const Session& session, const Scene& scene, const std::string& shows) {
   Simulation<d> simulation = make_scheme_simulation<d>(scene);
-  const Json json = explanation(scene, shows, simulation);
-  tell(session.text(), json);
-  session.write_json(json);
+  const Explanation made = explanation(scene, shows, simulation);
+  tell(session.text(), made);
+  session.write_json(to_json(made));
   return 0;
 }
 
@@ -164,13 +129,15 @@ int explain(const Session& session, const Scene& scene, const std::string& shows
     projection = projection_cost<d>(scene, make_cloud<d>(scene.body));
   session.text() << text_of(projection) << std::flush;  // before it is spent
   TlsphSimulation<d> simulation = make_tlsph<d>(scene);
-  Json json = explanation(scene, shows, simulation);
-  if (projection) json["compatible"]["expected_cpu_s"] = projection->cpu_s;
-  tell(session.text(), json);
+  const Explanation made = explanation(scene, shows, simulation);
+  tell(session.text(), made);
   if (simulation.compatible)
     session.text() << wrapped(compatible_text(simulation.compatible.get()),
                               static_cast<std::size_t>(terminal_columns(1)), 0, 2)
                    << '\n';
+  auto json = to_json(made);
+  if (simulation.compatible) json["compatible"] = compatible_json(simulation.compatible.get());
+  if (projection) json["compatible"]["expected_cpu_s"] = projection->cpu_s;
   session.write_json(json);
   return 0;
 }

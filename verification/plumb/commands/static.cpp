@@ -31,9 +31,9 @@ Json level_json(const mms::StaticLevel& level) {
     row[fmt::format("relative_{}", norm.name)] = level.relative(norm.value);
   for (const mms::NormName& norm : mms::static_norms()) row[std::string(norm.name)] = level.error.*norm.value;
   if (level.frequency_error) row["frequency_error"] = *level.frequency_error;
-  if (level.compatible && !level.compatible->closed_form) {
-    row["divergence_defect"] = level.compatible->divergence_defect;
-    row["residual"] = level.compatible->residual;
+  if (level.projection) {
+    row["divergence_defect"] = level.projection->divergence_defect;
+    row["residual"] = level.projection->residual;
   }
   if (level.failure) row["status"] = *level.failure;
   row["setup_s"] = level.setup_s;

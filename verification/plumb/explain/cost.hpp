@@ -15,6 +15,15 @@ struct PartCost {
   double bytes_per_particle;         ///< of arrays and bond constants, with less without
   double time_ratio;                 ///< time of a step with the part over that without it
   std::optional<double> step_ratio;  ///< dt with the part over dt without it, where it caps the step
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("part", self.part);
+    visit("built", self.built);
+    visit("bytes_per_particle", self.bytes_per_particle);
+    visit("step_time_ratio", self.time_ratio);
+    visit("dt_ratio", self.step_ratio);
+  }
 };
 
 /// The parts that cost memory or time in every step: dissipation, hourglass energy, wave speed of the
@@ -22,6 +31,12 @@ struct PartCost {
 struct Costs {
   long particles;  ///< of the body measured
   std::vector<PartCost> parts;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("particles", self.particles);
+    visit("parts", self.parts);
+  }
 };
 Costs measure_costs(const Scene& scene);
 

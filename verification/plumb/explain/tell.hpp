@@ -1,10 +1,11 @@
 #pragma once
 #include <iosfwd>
-#include <nlohmann/json_fwd.hpp>
+
+#include "verification/plumb/explain/explanation.hpp"
 
 namespace plumb::app {
 
 /// The result of `plumb explain` as text for people.
-void tell(std::ostream& out, const nlohmann::ordered_json& explanation);
+void tell(std::ostream& out, const Explanation& explanation);
 
 }  // namespace plumb::app
