@@ -72,10 +72,11 @@ void force_kernel(Body& body) {
 void jst_kernel(Body& body) {
   auto& solid = body.simulation.solid;
   const Term<3>& jst = solid.terms.front();
-  for_blocks(solid, [&](const Block& block) { jst.first(solid, block, body.simulation.state, 0); });
+  const Instant<3> now{body.simulation.state, 0, *body.simulation.stepper.workspace, solid.terms};
+  for_blocks(solid, [&](const Block& block) { jst.first(solid, block, now); });
   for_blocks(solid, [&](const Block& block) {
     BlockForce<3> force(block);
-    jst.second(solid, block, body.simulation.state, 0, force);
+    jst.second(solid, block, now, force);
     benchmark::DoNotOptimize(force(0, block.begin()));
   });
 }
