@@ -39,7 +39,7 @@ nlohmann::ordered_json to_json(const T& value) {
     return value ? to_json(*value) : Json();
   } else if constexpr (std::floating_point<T>) {
     return std::isfinite(value) ? Json(value) : Json();
-  } else if constexpr (requires { value.push_back(*value.begin()); } &&
+  } else if constexpr (requires(T list) { list.push_back(*list.begin()); } &&
                        !std::convertible_to<T, std::string>) {
     Json list = Json::array();
     for (const auto& entry : value) list.push_back(to_json(entry));

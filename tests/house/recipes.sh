@@ -18,6 +18,7 @@ awk -v tree="$tree" '
   /^```/ { file = "" }
   file != "" { print > file }' "$tree/CONTRIBUTING.md"
 for file in lib/kernel/kernels/lucy.hpp lib/material/models/yeoh.hpp \
+  lib/material/models/softened.hpp verification/material/softened.toml \
   lib/schemes/tlsph/bonds/estimators/least_squares.hpp lib/schemes/tlsph/parts/drag.hpp lib/schemes/tlsph/parts/drag.cpp changes.diff \
   verification/scenes/stretched-bar.toml; do
   [ -s "$tree/$file" ] || { echo "CONTRIBUTING.md does not show $file"; exit 1; }
@@ -34,6 +35,7 @@ passed() {  # passed FILTER: the law tests of that name exist and pass
 }
 passed '*lucy*'
 passed '*yeoh*'
+passed '*HistoryLaws*softened*'
 "$plumb" oned kernels --kernel lucy --at 0.5 --quiet --json "$work/lucy.json"
 grep -q lucy "$work/lucy.json"
 passed '*least_squares*'  # names of tests have no hyphens
@@ -66,3 +68,15 @@ assert "drag" in drag["built"] and "drag" in plain["left_out"]
 CHECK
 "$plumb" material verification/material/sheet.toml --set material.model=yeoh --quiet --json "$work/point.json"
 grep -q '"cauchy"' "$work/point.json"
+# the law with history: the way back is softer, and a body of it runs, stops and goes on
+"$plumb" material verification/material/softened.toml --quiet --json "$work/softened.json"
+python3 - "$work/softened.json" <<'CHECK'
+import json, sys
+rows = json.load(open(sys.argv[1]))["rows"]
+stress = [row["cauchy"][0][0] for row in rows]
+there, back = stress[len(stress) // 4], stress[-1 - len(stress) // 4]
+assert 0 < back < 0.9 * there, (there, back)
+CHECK
+"$plumb" run verification/scenes/turning-block.toml --set mixed.kinematics=tied --set material.model=softened --set material.softening=0.5 \
+  --set material.softening_energy="1 kPa" --set scene.max_steps=20 --json "$work/body.json" --out "$work/out"
+grep -q '"completed"' "$work/body.json"
