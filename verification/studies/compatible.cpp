@@ -78,7 +78,7 @@ TEST_CASE("compatible: static plate to d = 0.0125, compatible and unprojected sc
     CHECK(result.fits[0].fit.lower < 2.0);
     CHECK(result.fits[0].fit.upper > 2.0);
   }
-  // Beyond what issue 7 asks for: 1.95 [1.93, 1.98], below 2 and not yet rising. Not called second order.
+  // 1.95 [1.93, 1.98], below 2 and not yet rising. Not called second order.
   const auto strong = fine({"body.jitter=0.3"});
   print("compatible, jitter=0.3", strong);
   CHECK(strong.status == "inconclusive");
@@ -94,7 +94,7 @@ TEST_CASE("compatible: static plate to d = 0.0125, compatible and unprojected sc
 }
 
 TEST_CASE("compatible: the frequency of the swinging plate does not lock", "[compatible]") {
-  const double expected[] = {-1.637e-2, -4.107e-3, -1.028e-3};  // an independent prototype (method.md, 3)
+  const double expected[] = {-1.637e-2, -4.107e-3, -1.028e-3};  // of an independent prototype
   for (const char* poisson : {"0.3", "0.495", "0.4999"}) {
     const auto result =
         static_plate({"body.jitter=0", "compatible.table=projected", "study.spacings=[0.2,0.1,0.05]",

@@ -37,7 +37,7 @@ Outcome outcome_of(const std::string& scene_file, std::vector<std::string> overr
 
 }  // namespace
 
-// The bounds are those of issue 7, 4.4.
+// The bounds are what the default scheme has to reach on these columns.
 TEST_CASE("compatible: twisting column, 105 rad/s", "[compatible]") {
   for (const char* jitter : {"0", "0.2"}) {
     const Outcome o =

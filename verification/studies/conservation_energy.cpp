@@ -59,7 +59,7 @@ void require_bounded(const EnergyHistory& history, double bound) {
   CHECK(std::abs(history.drift) < 0.1 * bound);
 }
 
-constexpr double plate_period = 0.0393416;  // [s], method.md
+constexpr double plate_period = 0.0393416;  // [s], 2 pi over the frequency of the solution
 
 }  // namespace
 

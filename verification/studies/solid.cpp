@@ -107,7 +107,7 @@ TEST_CASE("solid: patch test, both estimators give the gradient of affine maps o
 TEST_CASE("solid: patch test, (38) as printed fails it", "[solid][patch]") {
   Scheme scheme;
   scheme.estimator = "bond38";
-  CHECK(affine_error<2>(clouds[0], scheme) > 0.1);  // method.md: F_xx = 0.78 on the identity at beta 0.9
+  CHECK(affine_error<2>(clouds[0], scheme) > 0.1);  // F_xx = 0.78 on the identity at beta 0.9
 }
 
 TEST_CASE("solid: uniform stress leaves no force inside a lattice, and a measured one elsewhere",

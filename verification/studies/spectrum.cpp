@@ -1,5 +1,5 @@
 // Spectrum of the linearised operator (THEORY, section 9) against values found by independent calculation
-// (method.md) and against closed forms.
+// and against closed forms.
 #include "lib/spectrum/spectrum.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -30,7 +30,7 @@ LinearOperator<d> operator_of(const Scene& scene) {
   return {simulation.solid, simulation.supports};
 }
 
-/// The cube of method.md, section 2: 4^3 cells, W1, symmetrised, beta 0.9, nu 0.495.
+/// A cube of 4^3 cells, W1, symmetrised, beta 0.9, nu 0.495.
 Scene paper_cube(double eta4) {
   Scene scene = block(3, 4, 0.495);
   scene.method.gradient = "standard";
@@ -83,7 +83,7 @@ TEST_CASE("modes of nearly no energy appear for beta 1.2, with the standard grad
       lowest[improved] = *s.lowest_nonrigid();
       if (beta == 1.2) CHECK(s.low.modes[0].unexplained > 0.9);
     }
-  // method.md: "about fivefold"; for this block it is 3.90
+  // about fivefold on larger blocks; for this block it is 3.90
   CHECK(lowest[1] / lowest[0] > 3.5);
   CHECK(lowest[1] / lowest[0] < 6);
 }
@@ -131,7 +131,7 @@ BondOptions<d> options_of(const char* estimator, const char* momentum) {
   return options;
 }
 
-TEST_CASE("symbols on the line are those of method.md", "[spectrum][symbol]") {
+TEST_CASE("symbols on the line are those of an independent derivation", "[spectrum][symbol]") {
   const LatticeSymbol<1> standard(options_of<1>("standard", "adjoint"), 2.0),
       improved(options_of<1>("improved", "adjoint"), 2.0), bond(options_of<1>("bond", "adjoint"), 2.0),
       narrow(options_of<1>("improved", "adjoint"), 0.9);

@@ -1,5 +1,5 @@
 // Orders of the swinging plate (paper 000, section 5.1) against the declared ones and against the values that
-// an independent double-precision prototype found (shared/method.md, section 2).
+// an independent double-precision prototype found.
 #include <catch2/catch.hpp>
 
 #include "mms/study.hpp"
@@ -120,7 +120,7 @@ TEST_CASE("Swinging plate, finite strain with its body force: second order in L2
 }
 
 // The printed case: at U = 0.01 the difference between the models shows, and is named instead of fitted
-// through. method.md: the floor is 0.784 U^2 at T/4.
+// through. The floor is 0.784 U^2 at T/4.
 TEST_CASE("Swinging plate, printed amplitude: the modelling floor is measured and not fitted", "[mms]") {
   const mms::StudyResult result =
       mms::run_study(plate("swinging_plate.toml", {"study.parameters.amplitude=0.01", "study.periods=0.25",

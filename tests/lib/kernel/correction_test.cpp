@@ -18,7 +18,7 @@ std::vector<Neighbour<2>> corner(double spacing, Layout layout, std::vector<Vec<
   return found;
 }
 
-// Values of an independent calculation (method.md), 12 digits: relative tolerance 1e-11.
+// Values of an independent calculation, 12 digits: relative tolerance 1e-11.
 TEST(W1, CornerOfACellLattice) {
   std::vector<Vec<2>> points;
   const auto neighbours = corner(0.2, Layout::cell, &points);
@@ -86,7 +86,7 @@ TEST(W0, NeedsTheTransposeThatThePrintLacks) {
       printed += neighbours[j].separation * (M.inverse() * raw.gradient[j]).transpose();
     worst = std::max(worst, (printed - Mat<2>::Identity()).norm());
   }
-  EXPECT_GT(worst, 2e-3);  // method.md: 2e-3 to 2e-2
+  EXPECT_GT(worst, 2e-3);  // an independent program found 2e-3 to 2e-2
   EXPECT_LT(worst, 5e-2);
 }
 

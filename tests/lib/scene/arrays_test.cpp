@@ -116,7 +116,7 @@ TEST(Arrays, OfAPartThatIsOffAreNotThere) {
   EXPECT_EQ(bytes_of_jst(""), 0U);
 }
 
-/// The limit of issue 5 for a lattice, adjoint force and Verlet, everything included.
+/// The limit for a lattice, adjoint force and Verlet, everything included.
 TEST(Arrays, Take250BytesAParticleAtMost) {
   const auto simulation = make_tlsph<3>(parse_scene(bare, "test.toml", {"body.spacing=0.025"}));
   std::size_t bytes = 0;

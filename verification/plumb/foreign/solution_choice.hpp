@@ -10,8 +10,11 @@ namespace CLI {
 class App;
 }
 
-namespace plumb::app {
+namespace plumb {
 class Section;
+}
+
+namespace plumb::app {
 
 /// A manufactured solution with parameters and material, for what another program computed.
 struct SolutionChoice {

@@ -34,10 +34,11 @@ template <class Signature>
 Kinds group(Index n, Signature&& signature) {
   constexpr Index least_part = 1024;  // below that a thread costs more than it brings
   const Index parts = std::clamp<Index>(n / least_part, 1, omp_get_max_threads());
+  const int threads = static_cast<int>(parts);
   Kinds kinds;
   kinds.of.resize(n);
   std::vector<std::vector<Index>> found(parts);  // representatives
-#pragma omp parallel for schedule(static, 1) num_threads(static_cast <int>(parts))
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
   for (Index p = 0; p < parts; ++p)
     found[p] = group_part(n * p / parts, n * (p + 1) / parts, kinds.of.data(), signature);
   std::vector<Index> candidates;
@@ -51,7 +52,7 @@ Kinds group(Index n, Signature&& signature) {
       group_part(0, static_cast<Index>(candidates.size()), number.data(),
                  [&](Index c, std::vector<std::int64_t>& value) { signature(candidates[c], value); });
   for (const Index c : kept) kinds.representative.push_back(candidates[c]);
-#pragma omp parallel for schedule(static, 1) num_threads(static_cast <int>(parts))
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
   for (Index p = 0; p < parts; ++p)
     for (Index i = n * p / parts; i < n * (p + 1) / parts; ++i)
       kinds.of[i] = number[first_of_part[p] + kinds.of[i]];
@@ -78,6 +79,7 @@ Index Surroundings<d>::image(Index i, const Ghost<d>& behind) const {
 }
 
 Kinds all_different(Index n) {
+  const int threads = static_cast<int>(parts);
   Kinds kinds;
   kinds.of.resize(n);
   kinds.representative.resize(n);

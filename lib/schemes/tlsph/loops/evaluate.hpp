@@ -94,7 +94,8 @@ Outcome evaluate(const Solid<d>& solid, const std::vector<Term<d>>& terms, Works
   const Index shares = workspace.P.shares();
   const auto force = [&](Index b) { find_force(solid, workspace, now, solid.block(b), update); };
   bool sound = true;
-#pragma omp parallel num_threads(static_cast <int>(shares))
+  const int threads = static_cast<int>(shares);
+#pragma omp parallel num_threads(threads)
   {
 #pragma omp for schedule(static, 1) reduction(&& : sound)
     for (Index s = 0; s < shares; ++s) sound = go_through_share(solid, workspace, now, s, force) && sound;

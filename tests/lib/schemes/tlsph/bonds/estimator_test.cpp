@@ -96,7 +96,7 @@ TEST(Bond, FailsOnALinearField) {
 }
 
 // One minus W(0) V: interior of a 2D lattice, cubic spline, W1 (2.1): weights sum to one, each bond gives e
-// (x) e, and by symmetry F_xx = (1 - w_ii) / 2 + w_ii. Rounded values of method.md; the expression is exact.
+// (x) e, and by symmetry F_xx = (1 - w_ii) / 2 + w_ii. Rounded values; the expression is exact.
 TEST(Bond38, FailsOnTheIdentityIn2D) {
   const Cloud<2> cloud = lattice<2>({Vec<2>::Zero(), {2.2, 2.2}}, {11, 11}, Layout::cell);
   const auto expect = [&](double beta, double rounded) {

@@ -69,7 +69,7 @@ TEST(Jst, LaplacianOfAQuadraticInsideALatticeHasTheKnownFactor) {
   struct Row {
     double beta, factor;
   };
-  for (const Row row : {Row{0.6, .351}, Row{0.9, .982}, Row{1.2, .991}, Row{1.5, 1.007}}) {  // method.md, 2D
+  for (const Row row : {Row{0.6, .351}, Row{0.9, .982}, Row{1.2, .991}, Row{1.5, 1.007}}) {  // an independent program, 2D
     Solid<2> solid = rubber_block<2>(16, Layout::cell, 0, with_laplacian(row.beta));
     const auto lap = jst_force(solid, pure_laplacian(solid),
                                [](const Vec<2>& X) { return Vec<2>(X.squaredNorm(), X[0] * X[0]); });
@@ -112,14 +112,14 @@ TEST(Jst, StepLimitHasTheKnownSpectralRadius) {
     double beta, radius;
   };
   for (const Row row : {Row{0.6, 7.35}, Row{0.9, 33.3}, Row{1.2, 15.7},
-                        Row{1.5, 6.37}}) {  // method.md, 2D, its own size of body
+                        Row{1.5, 6.37}}) {  // an independent program, 2D, its own size of body
     const Solid<2> solid = rubber_block<2>(24, Layout::cell, 0, with_laplacian(row.beta));
     EXPECT_NEAR(biharmonic_radius(solid) / row.radius, 1, 0.05) << row.beta;
   }
   const Solid<2> solid = rubber_block<2>(16, Layout::cell, 0, with_laplacian());
   const double limit = jst_step_limit(solid, {0, 0.125}, 2.51);
   const double cfl = limit * solid.elastic.wave_speed() / solid.cloud.spacing;
-  EXPECT_LT(cfl, 0.9);  // method.md: eta4 = 1/8, beta = 0.9 exceeds the limit at alpha = 0.9
+  EXPECT_LT(cfl, 0.9);  // eta4 = 1/8, beta = 0.9 exceeds the limit at alpha = 0.9
   EXPECT_GT(cfl, 0.7);
 }
 

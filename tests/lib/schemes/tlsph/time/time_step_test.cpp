@@ -20,7 +20,7 @@ TEST(CrossingTime, OfTheUndeformedColumnIsThatOfTable1) {
   const Solid<3> solid = make_solid<3>(std::move(cloud), "neo-hookean", Elastic{17e6, 0.495, 1100}, o);
   const State<3> state = make_state(solid);
   const double crossing = crossing_time(solid, state, WaveSpeed::linear);
-  EXPECT_NEAR(0.3 * crossing, 83.042e-6, 1e-9);  // cases.md: alpha 0.2/C_lin; the paper prints 83.04 us
+  EXPECT_NEAR(0.3 * crossing, 83.042e-6, 1e-9);  // alpha 0.2/C_lin; the paper prints 83.04 us
   EXPECT_NEAR(0.9 * crossing, 249.126e-6, 1e-9);
   for (const WaveSpeed speed : {WaveSpeed::stretch, WaveSpeed::stretch_inverse})
     EXPECT_NEAR(crossing_time(solid, state, speed), crossing,
