@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "lib/geometry/neighbours.hpp"
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb::mms {
 namespace {

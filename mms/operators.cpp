@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "lib/convergence/outcome.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
 #include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "mms/level.hpp"
 
 namespace plumb::mms {

@@ -2,16 +2,16 @@
 include_guard(GLOBAL)
 
 foreach(moved IN ITEMS
-    "solid/run.hpp > run/run.hpp" "solid/traffic.hpp > run/traffic.hpp" "output/checkpoint.hpp > run/checkpoint.hpp"
+    "solid/run.hpp > run/run.hpp" "solid/traffic.hpp > schemes/tlsph/run/traffic.hpp" "output/checkpoint.hpp > run/checkpoint.hpp"
     "scene/document.hpp > input/document.hpp" "scene/expression.hpp > input/expression.hpp"
     "scene/section.hpp > input/section.hpp" "scene/units.hpp > input/units.hpp"
     "scene/scene_error.hpp > input/scene_error.hpp"
     "gradient/correction.hpp > kernel/correction.hpp"
     "gradient/neighbourhood.hpp > kernel/neighbourhood.hpp"
-    "diagnostics/budget.hpp > measures/budget.hpp"
-    "diagnostics/budget_file.hpp > measures/budget_file.hpp"
+    "diagnostics/budget.hpp > schemes/tlsph/measures/budget.hpp"
+    "diagnostics/budget_file.hpp > schemes/tlsph/measures/budget_file.hpp"
     "diagnostics/in_space.hpp > core/in_space.hpp"
-    "diagnostics/measures.hpp > measures/measures.hpp"
+    "diagnostics/measures.hpp > schemes/tlsph/measures/solid_measures.hpp"
     "gradient/append_image_row.hpp > schemes/tlsph/bonds/append_image_row.hpp"
     "gradient/bond_table.hpp > schemes/tlsph/bonds/bond_table.hpp"
     "gradient/each_bond.hpp > schemes/tlsph/bonds/each_bond.hpp"

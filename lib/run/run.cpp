@@ -6,9 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lib/measures/measures.hpp"
-#include "lib/schemes/tlsph/time/closest_pairs.hpp"
-
 namespace plumb {
 namespace {
 
@@ -17,35 +14,6 @@ constexpr std::array<std::string_view, 6> cause_names = {"non-finite",         "
 /// Energy and hourglass share are looked at every so many steps; an explosion multiplies the energy by far
 /// more than any bound in between.
 constexpr long steps_between_checks = 20;
-
-Failure unsound(const UnsoundParticle& found, double time, long step) {
-  const bool finite = std::isfinite(found.determinant);
-  return {time,       step, finite ? Cause::inverted : Cause::non_finite, found.particle, found.determinant,
-          "J = det F"};
-}
-
-/// Whether the body as a whole has left its bounds.
-template <int d>
-std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& state, const StepControl& control,
-                                     const RunRecord& record) {
-  if (control.energy_bound) {
-    const double energy = energy_of(solid, state).total();
-    const double round_off = 2 * energy_round_off(solid);  // of this energy and of the initial one
-    if (!(energy <= (1 + *control.energy_bound) * *record.initial_energy + round_off))
-      return Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
-  }
-  if (control.hourglass_bound) {
-    const double share = hourglass_share(solid, state);
-    if (!(share <= *control.hourglass_bound))
-      return Failure{state.time, state.step, Cause::hourglass, -1, share, "hourglass share"};
-  }
-  return std::nullopt;
-}
-
-template <int d>
-double step_for(const Solid<d>& solid, const StepControl& control, double crossing) {
-  return std::min(control.cfl * crossing, solid.step_limit);
-}
 
 /// A step and the moment that it is cut to meet, if any [s].
 struct NextStep {
@@ -113,23 +81,6 @@ void StepStatistics::count(double dt) {
   last = dt;
 }
 
-template <int d>
-double time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control) {
-  if (control.fixed_step) return *control.fixed_step;
-  return step_for(solid, control, crossing_time(solid, state, control.wave_speed));
-}
-
-bool follows_closest_pairs(const StepControl& control) {
-  return !control.fixed_step && control.wave_speed == WaveSpeed::linear;
-}
-
-template <int d>
-double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
-                      ClosestPairs<d>& closest) {
-  if (!follows_closest_pairs(control)) return time_step(solid, state, control);
-  return step_for(solid, control, closest.distance(solid, state) / solid.elastic.wave_speed());
-}
-
 RunResult step_to_the_end(const Steps& steps, const StepControl& control,
                           const std::function<bool()>& observe, RunRecord& record) {
   RunResult result;
@@ -158,45 +109,5 @@ RunResult step_to_the_end(const Steps& steps, const StepControl& control,
   result.dt = record.dt;
   return result;
 }
-
-template <int d>
-RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, RunRecord& record) {
-  if (control.energy_bound && !record.initial_energy) record.initial_energy = energy_of(solid, state).total();
-  ClosestPairs<d> closest;
-  const Steps steps = steps_of(solid, state, stepper, control, closest);
-  const auto look = [&] { return !observe || observe(solid, state); };
-  return step_to_the_end(steps, control, look, record);
-}
-
-template <int d>
-Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-               ClosestPairs<d>& closest) {
-  return {[&] {
-            return Moment{state.time, state.step};
-          },
-          [&](double time) { state.time = time; },
-          [&] { return next_time_step(solid, state, control, closest); },
-          [&](double dt) -> std::optional<Failure> {
-            const Outcome outcome = stepper.step(solid, state, dt);
-            if (outcome) return std::nullopt;
-            return unsound(*outcome.unsound, state.time, state.step);
-          },
-          [&](const RunRecord& record) { return out_of_bounds(solid, state, control, record); }};
-}
-
-template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
-template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl&);
-template double next_time_step<2>(const Solid<2>&, const State<2>&, const StepControl&, ClosestPairs<2>&);
-template double next_time_step<3>(const Solid<3>&, const State<3>&, const StepControl&, ClosestPairs<3>&);
-template RunResult run<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
-                          const Observer<2>&, RunRecord&);
-template RunResult run<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
-                          const Observer<3>&, RunRecord&);
-
-template Steps steps_of<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
-                           ClosestPairs<2>&);
-template Steps steps_of<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
-                           ClosestPairs<3>&);
 
 }  // namespace plumb

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/schemes/tlsph/loops/solid.hpp"
+#include "lib/particles/work.hpp"
 
 namespace plumb {
 

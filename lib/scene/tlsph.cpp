@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lib/geometry/clipped_cells.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/actions_of_scene.hpp"
 #include "lib/scene/compatible_table.hpp"
 #include "lib/scene/initial_motion.hpp"
@@ -18,6 +17,7 @@
 #include "lib/schemes/tlsph/compatible/consistent_force.hpp"
 #include "lib/schemes/tlsph/loops/make_solid.hpp"
 #include "lib/schemes/tlsph/loops/part_site.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

@@ -9,6 +9,7 @@
 #include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "lib/schemes/tlsph/compatible/compatible.hpp"
 #include "lib/schemes/tlsph/parts/jst.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 
 namespace plumb {
 

@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "lib/material/point.hpp"
-#include "lib/measures/budget_file.hpp"
-#include "lib/run/traffic.hpp"
 #include "lib/scene/simulation.hpp"
 #include "lib/schemes/tlsph/boundary/open_forces.hpp"
 #include "lib/schemes/tlsph/boundary/relaxation.hpp"
 #include "lib/schemes/tlsph/boundary/support_work.hpp"
+#include "lib/schemes/tlsph/measures/budget_file.hpp"
+#include "lib/schemes/tlsph/run/traffic.hpp"
 
 namespace plumb {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

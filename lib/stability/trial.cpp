@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "lib/core/sentences.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

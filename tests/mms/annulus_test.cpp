@@ -7,9 +7,9 @@
 
 #include "lib/core/error.hpp"
 #include "lib/geometry/shaped_cloud.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb::mms {
 namespace {

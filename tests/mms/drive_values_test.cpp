@@ -3,7 +3,7 @@
 // motion is prescribed.
 #include <gtest/gtest.h>
 
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "mms/annulus.hpp"
 #include "mms/drive.hpp"
 #include "tests/support/solids.hpp"

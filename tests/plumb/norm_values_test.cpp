@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/statics/statics.hpp"
 #include "mms/level.hpp"
 #include "places.hpp"

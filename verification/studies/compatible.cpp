@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "mms/static_study.hpp"
 #include "places.hpp"
 

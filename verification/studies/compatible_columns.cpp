@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "places.hpp"
 
 using namespace plumb;

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <optional>
 
-#include "lib/measures/measures.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/spectrum/spectrum.hpp"
 
 using namespace plumb;

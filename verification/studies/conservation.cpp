@@ -8,9 +8,9 @@
 #include <iostream>
 #include <map>
 
-#include "lib/measures/budget.hpp"
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "lib/schemes/tlsph/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "lib/measures/budget.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "places.hpp"
 
 using namespace plumb;

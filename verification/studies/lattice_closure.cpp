@@ -8,10 +8,10 @@
 #include <numbers>
 
 #include "lib/convergence/verdict.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/compatible/lattice_closure.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/statics/statics.hpp"
 #include "lib/spectrum/lattice_symbol.hpp"
 #include "mms/static_study.hpp"

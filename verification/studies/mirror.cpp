@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "lib/measures/budget.hpp"
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;

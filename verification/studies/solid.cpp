@@ -5,10 +5,10 @@
 #include <iostream>
 #include <numbers>
 
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
 #include "lib/schemes/tlsph/boundary/apply_actions.hpp"
 #include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace plumb;

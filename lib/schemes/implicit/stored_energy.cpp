@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "lib/core/error.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "lib/input/scene_error.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/held_motion.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

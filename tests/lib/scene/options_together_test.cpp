@@ -7,10 +7,10 @@
 #include <set>
 
 #include "lib/material/laws.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/plain_body.hpp"
 

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "lib/core/error.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/scene/names.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/simulation.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

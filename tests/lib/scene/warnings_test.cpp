@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/spectrum/spectrum.hpp"
 
 namespace plumb {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lib/convergence/order_fit.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/lib/schemes/implicit_bodies.hpp"
 
 namespace plumb {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "lib/measures/measures.hpp"
 #include "lib/scene/read_scene.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "lib/run/traffic.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/run/traffic.hpp"
 #include "verification/plumb/run/inventory.hpp"
 
 namespace plumb::app::bench {

@@ -9,7 +9,7 @@
 namespace plumb::app {
 
 /// Bonds of a particle.
-struct NeighbourCounts {
+struct BondsPerParticle {
   double mean;
   Index max;
 
@@ -40,7 +40,7 @@ struct Explanation {
   int dimension;
   std::string scheme;
   Index particles;
-  NeighbourCounts neighbours;
+  BondsPerParticle neighbours;
   std::vector<Statement> solves;
   std::vector<std::string> built, left_out;
   std::vector<ArrayEntry> arrays;

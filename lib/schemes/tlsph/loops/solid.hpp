@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lib/material/material.hpp"
+#include "lib/particles/work.hpp"
 #include "lib/schemes/tlsph/bonds/bond_table.hpp"
 #include "lib/schemes/tlsph/loops/stress_window.hpp"
 
@@ -81,12 +82,6 @@ struct Sweeps {
   std::function<void(const BondTable<d>&, const StressWindow& P, const Block&, BlockForce<d>&)> force;
   std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF at F, for linearisation
   std::size_t bytes = 0;                               ///< of tables of their own
-};
-
-/// Work done so far; does not depend on the machine.
-struct Work {
-  std::int64_t particle_evaluations = 0;
-  std::int64_t pair_evaluations = 0;
 };
 
 /// A particle whose deformation gradient has no positive determinant.

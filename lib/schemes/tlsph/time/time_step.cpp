@@ -1,7 +1,6 @@
 #include "lib/schemes/tlsph/time/time_step.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <array>
 #include <cmath>
 
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
@@ -10,11 +9,6 @@
 
 namespace plumb {
 namespace {
-
-constexpr std::array<std::pair<WaveSpeed, std::string_view>, 3> speed_names = {
-    {{WaveSpeed::linear, "linear"},
-     {WaveSpeed::stretch, "stretch"},
-     {WaveSpeed::stretch_inverse, "stretch-inverse"}}};
 
 /// Least principal stretch of every slot.
 template <int d>
@@ -30,19 +24,6 @@ std::vector<double> least_stretches(const Solid<d>& solid, const State<d>& state
 }
 
 }  // namespace
-
-std::string_view name_of(WaveSpeed speed) {
-  return speed_names[static_cast<std::size_t>(speed)].second;
-}
-
-WaveSpeed wave_speed_named(std::string_view name) {
-  std::vector<std::string> valid;
-  for (const auto& [speed, text] : speed_names) {
-    if (text == name) return speed;
-    valid.emplace_back(text);
-  }
-  throw unknown_name("wave speed", name, valid);
-}
 
 template <int d>
 double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed speed) {

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "lib/geometry/facets.hpp"
-#include "lib/measures/budget.hpp"
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
 #include "lib/schemes/tlsph/boundary/supports.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

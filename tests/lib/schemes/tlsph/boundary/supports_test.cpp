@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/run/run.hpp"
 #include "lib/schemes/tlsph/boundary/apply_actions.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

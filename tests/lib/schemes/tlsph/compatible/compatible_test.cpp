@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/compatible/mesh_surface.hpp"
 #include "lib/schemes/tlsph/compatible/solver/constraints.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"
@@ -152,7 +152,8 @@ TYPED_TEST(CompatibleSolid, PassesThePatchTest) {
       const double size = P.norm() * std::pow(solid.cloud.spacing, d - 1);
       for (Index i = 0; i < solid.cloud.size(); ++i) {
         EXPECT_LT((deformation_gradient_of(solid, state, i) - A).norm(), 1e-11);
-        EXPECT_LT((solid.cloud.V[i] * f[i] + P * B[i]).norm() / size, 1e-10);  // the table is projected to 1e-12, and a hundred bonds add up
+        EXPECT_LT((solid.cloud.V[i] * f[i] + P * B[i]).norm() / size,
+                  1e-10);  // the table is projected to 1e-12, and a hundred bonds add up
       }
     }
 }

@@ -4,8 +4,8 @@
 
 #include <iostream>
 
-#include "lib/measures/measures.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/clouds.hpp"
 
 namespace plumb {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/material/models/neo_hookean.hpp"
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"

@@ -2,8 +2,8 @@
 // and exact area vectors; F and the force are adjoint; affine motion leaves an exact F and the force -P B_i.
 #include "lib/geometry/shaped_cloud.hpp"
 #include "lib/material/models/neo_hookean.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"

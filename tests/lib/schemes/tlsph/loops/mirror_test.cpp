@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/loops/linearise.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/parts/jst.hpp"
 #include "tests/support/solids.hpp"
 

@@ -3,8 +3,8 @@
 #include <omp.h>
 
 #include "lib/material/models/neo_hookean.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 

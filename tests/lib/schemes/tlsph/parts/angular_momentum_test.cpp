@@ -8,10 +8,10 @@
 #include <Eigen/Geometry>
 
 #include "lib/core/in_space.hpp"
-#include "lib/measures/budget.hpp"
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/parts/jst.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

@@ -6,9 +6,9 @@
 
 #include <Eigen/Geometry>
 
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/compatible/compatible.hpp"
 #include "lib/schemes/tlsph/loops/linearise.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/solids.hpp"
 #include "tests/support/typed.hpp"

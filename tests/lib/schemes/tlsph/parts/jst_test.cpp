@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {
@@ -69,7 +69,8 @@ TEST(Jst, LaplacianOfAQuadraticInsideALatticeHasTheKnownFactor) {
   struct Row {
     double beta, factor;
   };
-  for (const Row row : {Row{0.6, .351}, Row{0.9, .982}, Row{1.2, .991}, Row{1.5, 1.007}}) {  // an independent program, 2D
+  for (const Row row :
+       {Row{0.6, .351}, Row{0.9, .982}, Row{1.2, .991}, Row{1.5, 1.007}}) {  // an independent program, 2D
     Solid<2> solid = rubber_block<2>(16, Layout::cell, 0, with_laplacian(row.beta));
     const auto lap = jst_force(solid, pure_laplacian(solid),
                                [](const Vec<2>& X) { return Vec<2>(X.squaredNorm(), X[0] * X[0]); });

@@ -2,8 +2,8 @@
 // what a run reports.
 #include <gtest/gtest.h>
 
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

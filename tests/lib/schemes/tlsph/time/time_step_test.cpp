@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
 namespace plumb::testing {

@@ -4,9 +4,9 @@
 
 #include <Eigen/SVD>
 
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/parts/jst.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "lib/schemes/tlsph/time/closest_pairs.hpp"
 #include "lib/schemes/tlsph/time/time_step.hpp"
 #include "tests/support/solids.hpp"

@@ -1,4 +1,4 @@
-#include "lib/measures/measures.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 #include <gtest/gtest.h>
 

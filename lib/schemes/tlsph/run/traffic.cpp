@@ -1,4 +1,4 @@
-#include "lib/run/traffic.hpp"
+#include "lib/schemes/tlsph/run/traffic.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "lib/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
 
 #include <Eigen/Geometry>  // cross
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 #include "lib/core/error.hpp"
 #include "lib/core/in_space.hpp"
-#include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/loops/sweeps.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
 namespace plumb {
 namespace {

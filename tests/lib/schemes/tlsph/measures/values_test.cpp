@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 
 #include "lib/material/models/neo_hookean.hpp"
-#include "lib/measures/budget.hpp"
-#include "lib/measures/measures.hpp"
-#include "lib/run/run.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/clouds.hpp"
 #include "tests/support/solids.hpp"
 

@@ -1,4 +1,4 @@
-#include "lib/measures/budget_file.hpp"
+#include "lib/schemes/tlsph/measures/budget_file.hpp"
 
 namespace plumb {
 namespace {

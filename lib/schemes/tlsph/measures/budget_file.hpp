@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
 
-#include "lib/measures/budget.hpp"
 #include "lib/output/series.hpp"
+#include "lib/schemes/tlsph/measures/budget.hpp"
 
 namespace plumb {
 
