@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Compares two builds of the program bit for bit: same_bits.py BEFORE AFTER [WORK] [--only WORD].
+"""Compares two builds of the program bit for bit: same_bits.py BEFORE AFTER [WORK] [--only WORD], with two programs, or
+same_bits.py --since COMMIT [--only WORD], which builds that commit and the last one, each in a folder of its own.
 
 Runs the scenes and studies below with both programs and compares every file that they write: series, frames and budgets byte for
 byte, JSON without the keys that name the machine, the build or a time, checkpoints by h5diff (package hdf5-tools) without the data
@@ -106,8 +107,29 @@ def compare(before, after, name, words, changes, work):
     return found
 
 
+def built(commit, place):
+    """The program of a commit, built in a checkout of its own."""
+    tree = place / "tree"
+    subprocess.run(["git", "worktree", "add", "--detach", tree, commit], check=True, stdout=subprocess.DEVNULL)
+    launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    try:
+        subprocess.run(["cmake", "--preset", "release", "-DPLUMBLINE_TESTS=OFF", *launcher], cwd=tree, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "--build", "--preset", "release", "--target", "plumb"], cwd=tree, check=True, stdout=subprocess.DEVNULL)
+        shutil.copy(tree / "build/release/bin/plumb", place / "plumb")
+    finally:
+        subprocess.run(["git", "worktree", "remove", "--force", tree], check=True)
+    return str(place / "plumb")
+
+
 def main():
     arguments = sys.argv[1:]
+    if "--since" in arguments:
+        commit = arguments.pop(arguments.index("--since") + 1)
+        arguments.remove("--since")
+        place = pathlib.Path(tempfile.mkdtemp())
+        for side in ("before", "after"):
+            (place / side).mkdir()
+        arguments = [built(commit, place / "before"), built("HEAD", place / "after"), *arguments]
     only = arguments.pop(arguments.index("--only") + 1) if "--only" in arguments else ""
     arguments = [word for word in arguments if word != "--only"]
     if len(arguments) not in (2, 3) or not shutil.which("h5diff"):
