@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lib/core/error.hpp"
+#include "lib/core/field.hpp"
 #include "lib/geometry/moving_neighbours.hpp"
 #include "lib/run/simulation.hpp"
 

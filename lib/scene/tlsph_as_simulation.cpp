@@ -9,6 +9,7 @@
 #include "lib/schemes/tlsph/boundary/relaxation.hpp"
 #include "lib/schemes/tlsph/boundary/support_work.hpp"
 #include "lib/schemes/tlsph/measures/budget_file.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/run/traffic.hpp"
 
 namespace plumb {
