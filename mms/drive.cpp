@@ -145,7 +145,7 @@ Actions<d> actions_of(const Cloud<d>& cloud, double modulus, const Manufactured<
   drop_zero_tractions(solution, parts, modulus, load);
   Actions<d> actions;
   if (options.body_force)
-    actions.body.push_back(
+    actions.body_forces.push_back(
         {"manufactured load",
          [solution](const Vec<d>& X, double time) -> Vec<d> { return solution.body_force(X, time); }, false});
   if (!load.places.empty()) actions.surface.push_back(std::move(load));
@@ -166,7 +166,7 @@ Actions<d> seen_at(const std::shared_ptr<const double>& start, Actions<d> action
     load.traction = [start, inner = load.traction](const Vec<d>& at, const Vec<d>& normal, double) -> Vec<d> {
       return inner(at, normal, *start);
     };
-  for (auto& force : actions.body)
+  for (auto& force : actions.body_forces)
     force.per_volume = [start, inner = force.per_volume](const Vec<d>& X, double) -> Vec<d> {
       return inner(X, *start);
     };

@@ -120,7 +120,7 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
 }
 
 template <int d>
-TlsphSimulation<d> driven_simulation(const Study& study, const Manufactured<d>& solution, double spacing) {
+TlsphBody<d> driven_simulation(const Study& study, const Manufactured<d>& solution, double spacing) {
   const Scene scene = scene_of_level(study, driven_walls(study, solution), spacing, end_time(study));
   if constexpr (d == 2) {
     const Domain<d>& domain = solution.domain;
@@ -144,7 +144,7 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
     throw InputError("scheme = \"implicit\" does not follow a motion in time",
                      "it goes from equilibrium to equilibrium", "use scheme = \"tlsph\" or \"mixed\"");
   DrivenBody<d> body{driven_simulation<d>(study, solution, spacing), {}};
-  TlsphSimulation<d>& simulation = body.simulation;
+  TlsphBody<d>& simulation = body.simulation;
   body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
                        {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
   return body;
@@ -167,7 +167,7 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
     return run_scheme_level<d>(study, solution, spacing, body_force, sitting);
   const std::clock_t begin = std::clock();
   DrivenBody<d> body = driven_body(study, solution, spacing, {.body_force = body_force});
-  TlsphSimulation<d>& simulation = body.simulation;
+  TlsphBody<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
   LevelRun<d> out;
   out.level.n = solid.cloud.size();
@@ -212,7 +212,7 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   template Manufactured<d> solution_of<d>(const Study&);                                               \
   template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                               \
   template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);            \
-  template TlsphSimulation<d> driven_simulation<d>(const Study&, const Manufactured<d>&, double);      \
+  template TlsphBody<d> driven_simulation<d>(const Study&, const Manufactured<d>&, double);            \
   template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
   template NodalValues<d> values_of_body<d>(const Study&, const Solid<d>&, const State<d>&,            \
                                             const Manufactured<d>&);                                   \

@@ -27,7 +27,7 @@ struct StudyLevel {
   std::optional<std::string> failure;  ///< cause and time, if the run became unstable
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("n", self.n);
     visit("d", self.d);
     visit("dt", self.dt);
@@ -53,10 +53,11 @@ struct LevelRun {
   std::vector<Wall> walls;  ///< with images behind them
 };
 
-/// A body that follows a manufactured solution, ready to run.
+/// A body that follows a manufactured solution, ready to run by `stepper`, which drives it; that of the simulation does not.
+/// A value: it may be moved.
 template <int d>
 struct DrivenBody {
-  TlsphSimulation<d> simulation;
+  TlsphBody<d> simulation;
   Stepper<d> stepper;
 };
 
@@ -89,7 +90,7 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
 /// as rings (layout node), as a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is
 /// filled.
 template <int d>
-TlsphSimulation<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
+TlsphBody<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
 
 /// The scene of one level as the solution needs it: at rest, without loads and boundaries.
 Scene scene_of_level(const Study& study, double spacing);

@@ -54,7 +54,7 @@ struct ErrorNorms {
   double stress_l2 = 0;    ///< of P, Frobenius norm
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit);
+  static void members(Self& self, Visit&& visit);
 };
 
 /// One norm by its name.
@@ -70,7 +70,7 @@ inline constexpr std::array<NormName, 5> norm_names{
      {"stress_l2", "stress, L2", &ErrorNorms::stress_l2}}};
 
 template <class Self, class Visit>
-void ErrorNorms::fields(Self& self, Visit&& visit) {
+void ErrorNorms::members(Self& self, Visit&& visit) {
   for (const NormName& norm : norm_names) visit(norm.name.data(), self.*norm.value);  // each ends with a zero
 }
 

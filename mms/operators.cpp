@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
 #include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
@@ -60,7 +60,7 @@ Vec<d> exact_laplacian(const Motion<d>& motion) {
 
 /// The study's body at rest, with the weights of the Laplacian and no dissipation made of them.
 template <int d>
-TlsphSimulation<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
+TlsphBody<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
   if (!study.method.jst) study.method.jst = JstOptions{};
   study.method.jst->eta2 = study.method.jst->eta4 = 0;
   return simulation_of<d>(study, solution, spacing);
@@ -133,7 +133,7 @@ double constraint_defect(Solid<d>& solid, State<d>& state, const Domain<d>& doma
 
 template <int d>
 OperatorLevel level_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  TlsphSimulation<d> simulation = body_of<d>(study, solution, spacing);
+  TlsphBody<d> simulation = body_of<d>(study, solution, spacing);
   Solid<d>& solid = simulation.solid;
   const double support = kernel_named<d>(study.method.kernel).support * solid.smoothing_length;
   if (2 * support > rim * solution.domain.length())

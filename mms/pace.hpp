@@ -11,7 +11,7 @@ namespace plumb::mms {
 template <int d>
 class Pace {
  public:
-  Pace(Sitting& sitting, const TlsphSimulation<d>& simulation) : sitting_(sitting), simulation_(simulation) {}
+  Pace(Sitting& sitting, const TlsphBody<d>& simulation) : sitting_(sitting), simulation_(simulation) {}
 
   /// Throws SittingEnded if the sitting is to end. A step of a hundred particles takes some 10 us; this is
   /// 0.1 us.
@@ -24,7 +24,7 @@ class Pace {
 
  private:
   Sitting& sitting_;
-  const TlsphSimulation<d>& simulation_;
+  const TlsphBody<d>& simulation_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

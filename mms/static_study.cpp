@@ -19,7 +19,7 @@ double cpu_now() {
 }
 
 template <int d>
-TlsphSimulation<d> body_of(const Study& study, double spacing) {
+TlsphBody<d> body_of(const Study& study, double spacing) {
   if (study.method.projection)
     throw InputError("[projection] in a static study", "it takes the torque off a force and has no stiffness",
                      "Leave it out.");
@@ -116,7 +116,7 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const TlsphSimulation<d> simulation = body_of<d>(study, spacing);
+  const TlsphBody<d> simulation = body_of<d>(study, spacing);
   const Solid<d>& solid = simulation.solid;
   if (simulation.compatible && !simulation.compatible->closed_form)
     level.projection = {simulation.compatible->divergence_defect, simulation.compatible->residual};

@@ -14,7 +14,7 @@ struct ProjectionDefects {
   double residual;           ///< CompatibleReport::residual
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("divergence_defect", self.divergence_defect);
     visit("residual", self.residual);
   }
@@ -35,7 +35,7 @@ struct StaticLevel {
   double solve_s = 0;                           ///< CPU time of assembly and solution [s]
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("n", self.n);
     visit("d", self.d);
     visit("error", self.error);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "mms/level.hpp"
 
 namespace plumb::mms {
@@ -69,7 +69,7 @@ struct MeasuredLevel {
   std::optional<StudyLevel> floor;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("level", self.level);
     visit("floor", self.floor);
   }

@@ -28,7 +28,8 @@ struct StudyResult {
 /// Called now and then with the share of the work that is done.
 using StudyProgress = Sitting::Listener;
 
-/// Runs every level and judges the orders. With force = "none" the difference to the run with the
+/// Runs every level and judges the orders: solution_of, then for every spacing run_level (scheme "tlsph": driven_body and
+/// run() of its body; any other: run_scheme_level by make_scheme_simulation), measure, and fit_order over the norms. With force = "none" the difference to the run with the
 /// finite-strain body force is measured on the second level: it is the modelling floor, which no refinement
 /// reduces. Each level is a part of the sitting. Throws InputError if the solution does not fit the study
 /// (dimension, parameters, box), SittingEnded if the sitting ends.

@@ -8,7 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/schemes/tlsph/time/catalogue.hpp"
 #include "mms/pace.hpp"
 
@@ -23,7 +23,7 @@ struct EndField {
   std::vector<double> numbers;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("numbers", self.numbers);
   }
 };
@@ -77,7 +77,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   DrivenBody<d> body =
       driven_body<d>(study, solution, study.spacings.front(),
                      {.body_force = study.force == "finite-strain", .at_step_start = as_printed});
-  TlsphSimulation<d>& simulation = body.simulation;
+  TlsphBody<d>& simulation = body.simulation;
   const auto make = [&] {
     const Pace<d> pace(sitting, simulation);
     const RunResult result = run<d>(simulation.solid, simulation.state, body.stepper, simulation.control,

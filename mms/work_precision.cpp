@@ -19,7 +19,7 @@ struct TimedRun {
   std::optional<std::string> refused;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("level", self.level);
     visit("refused", self.refused);
   }

@@ -63,7 +63,7 @@ struct TimedErrors {
   double cpu_s;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("norms", self.norms);
     visit("cpu_s", self.cpu_s);
   }

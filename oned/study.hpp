@@ -20,7 +20,7 @@ struct GradientErrors {
   std::optional<double> boundary_max;   ///< over the other particles
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("rmse", self.rmse);
     visit("max", self.max);
     visit("interior_rmse", self.interior_rmse);

@@ -70,9 +70,9 @@ template <int d>
 struct Actions {
   std::vector<Held<d>> held;
   std::vector<SurfaceLoad<d>> surface;
-  std::vector<BodyForce<d>> body;
+  std::vector<BodyForce<d>> body_forces;
 
-  bool has_loads() const { return !surface.empty() || !body.empty(); }
+  bool has_loads() const { return !surface.empty() || !body_forces.empty(); }
 };
 
 /// Counts the held components of all boundaries.

@@ -6,6 +6,7 @@ foreach(moved IN ITEMS
     "scene/document.hpp > input/document.hpp" "scene/expression.hpp > input/expression.hpp"
     "scene/section.hpp > input/section.hpp" "scene/units.hpp > input/units.hpp"
     "scene/scene_error.hpp > input/scene_error.hpp"
+    "convergence/outcome.hpp > convergence/status.hpp"
     "gradient/correction.hpp > kernel/correction.hpp"
     "gradient/neighbourhood.hpp > kernel/neighbourhood.hpp"
     "diagnostics/budget.hpp > schemes/tlsph/measures/budget.hpp"

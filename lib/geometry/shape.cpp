@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lib/geometry/shape_catalogue.hpp"
+#include "lib/geometry/shape_catalogue.hpp"  // made by CMake from geometry/shapes/*.hpp
 
 namespace plumb {
 namespace {

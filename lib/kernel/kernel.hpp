@@ -5,7 +5,7 @@
 
 #include "lib/core/error.hpp"
 #include "lib/core/type_list.hpp"
-#include "lib/kernel/catalogue.hpp"
+#include "lib/kernel/catalogue.hpp"  // made by CMake from kernel/kernels/*.hpp
 
 namespace plumb {
 

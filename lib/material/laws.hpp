@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "lib/core/error.hpp"
-#include "lib/material/catalogue.hpp"
+#include "lib/material/catalogue.hpp"  // made by CMake from material/models/*.hpp
 #include "lib/material/history.hpp"
 #include "lib/material/plane_stress.hpp"
 

@@ -10,7 +10,7 @@
 
 /// JSON of values that list their own members, once: what is written and what is read cannot differ. Members are
 ///   template <class Self, class Visit>
-///   static void fields(Self& self, Visit&& visit) { visit("n", self.n); visit("spacing", self.d); }
+///   static void members(Self& self, Visit&& visit) { visit("n", self.n); visit("spacing", self.d); }
 /// numbers, words, texts, such values, and optionals and lists of them.
 namespace plumb {
 
@@ -24,7 +24,7 @@ struct AnyVisit {
 /// A value that lists its members.
 template <class T>
 concept Listed = requires(T& value) {
-  T::fields(value, listed_detail::AnyVisit{});
+  T::members(value, listed_detail::AnyVisit{});
 };
 
 /// Returns the value as JSON: members in their order, an absent optional and a number that is not finite as null.
@@ -33,7 +33,7 @@ nlohmann::ordered_json to_json(const T& value) {
   using Json = nlohmann::ordered_json;
   if constexpr (Listed<const T>) {
     Json object = Json::object();
-    T::fields(value, [&](const char* name, const auto& member) { object[name] = to_json(member); });
+    T::members(value, [&](const char* name, const auto& member) { object[name] = to_json(member); });
     return object;
   } else if constexpr (requires { value.has_value(); }) {
     return value ? to_json(*value) : Json();
@@ -55,7 +55,7 @@ template <class T>
 T from_json(const nlohmann::ordered_json& json) {
   if constexpr (Listed<T>) {
     T value{};
-    T::fields(value, [&](const char* name, auto& member) {
+    T::members(value, [&](const char* name, auto& member) {
       member = from_json<std::remove_cvref_t<decltype(member)>>(json.at(name));
     });
     return value;

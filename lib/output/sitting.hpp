@@ -19,7 +19,7 @@ class SittingEnded : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One sitting of a study that may take several. The parts that it finishes are kept by name; when it is
+/// One sitting at a long study: from a call of the program to its end or its interruption. The parts that it finishes are kept by name; when it is
 /// ended before the study is whole, or killed, the next one with the same content finds them and makes only
 /// what is missing. A study that becomes whole leaves nothing behind. Safe to use from several threads.
 class Sitting {

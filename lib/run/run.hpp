@@ -13,7 +13,7 @@ namespace plumb {
 
 /// How far and with which time steps.
 struct StepControl {
-  double cfl = default_cfl;          ///< alpha_CFL of (31)
+  double cfl = default_cfl;          ///< alpha_CFL of paper 000 (31); other schemes have a cfl of their own
   std::optional<double> fixed_step;  ///< [s]; instead of cfl
   WaveSpeed wave_speed = WaveSpeed::linear;
   std::optional<double> end_time;  ///< [s]; the last step is cut to meet it

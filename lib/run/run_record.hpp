@@ -19,15 +19,16 @@ struct StepStatistics {
 /// with the same bytes.
 struct RunRecord {
   StepStatistics dt;
-  std::optional<double> initial_energy;  ///< total [J]; run() finds it if a bound needs it
+  std::optional<double>
+      initial_energy;  ///< total [J]; begin_record() finds it, or run(Simulation&, ..) if a bound needs it
   Momentum initial_momentum;
-  double setup_s = 0;                  ///< wall time of reading and building, of this part of the run only [s]
-  double wall_s = 0;                   ///< wall time of the steps and of writing [s]
-  double cpu_s = 0;                    ///< CPU time of both, of all threads [s]
-  double writing_s = 0;                ///< wall time of writing [s]
-  std::int64_t next_row = 0;           ///< number of the next multiple of the output interval
-  std::int64_t recorded_step = -1;     ///< the last one in the files; before the first row none
-  std::int64_t series_bytes = 0;       ///< length of the series
+  double setup_s = 0;               ///< wall time of reading and building, of this part of the run only [s]
+  double wall_s = 0;                ///< wall time of the steps and of writing [s]
+  double cpu_s = 0;                 ///< CPU time of both, of all threads [s]
+  double writing_s = 0;             ///< wall time of writing [s]
+  std::int64_t next_row = 0;        ///< number of the next multiple of the output interval
+  std::int64_t recorded_step = -1;  ///< the last one in the files; before the first row none
+  std::int64_t series_bytes = 0;    ///< length of the series
   std::vector<double> particle_times;  ///< of the particle files [s]
 
   double computing_s() const { return wall_s - writing_s; }  ///< wall time of the steps alone [s]

@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// What one particle shows: for probes, without a snapshot of all.
+/// What one particle shows, for probes. A total Lagrangian body makes it without a snapshot of all.
 template <int d>
 struct PointView {
   Vec<d> X, u, x;                     ///< reference position, displacement, position [m]
@@ -45,7 +45,7 @@ struct ArrayEntry {
   std::size_t bytes;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("name", self.name);
     visit("bytes", self.bytes);
   }
@@ -79,7 +79,8 @@ struct Simulation {
   std::function<void(const SavedState&)> restore;  ///< InputError if it does not fit
   std::function<void()> begin;                     ///< once before the first step; empty: nothing to do
   std::function<void(bool sound)> close_step;      ///< after each step, also one that broke a bound; likewise
-  /// Writes the conservation budget to this file from the beginning on. Empty: the scheme has none.
+  /// Writes the conservation budget to this file from the beginning on; call it before begin(), which adds what reads behind
+  /// the budget. Empty: the scheme has none.
   std::function<void(const std::filesystem::path&)> keep_budget;
 };
 

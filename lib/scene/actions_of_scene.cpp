@@ -124,7 +124,7 @@ void add_body_force(const std::string& name, const std::vector<Expression>& form
   };
   force.steady = !ramp && std::none_of(formulas.begin(), formulas.end(),
                                        [](const Expression& f) { return f.uses_time(); });
-  actions.body.push_back(std::move(force));
+  actions.body_forces.push_back(std::move(force));
 }
 
 }  // namespace

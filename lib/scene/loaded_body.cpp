@@ -54,7 +54,7 @@ LoadedBody<d> loaded_body(const Scene& scene, const SavedState& saved) {
     body.energy = elements.stored_energy();
     body.actions = elements.actions();
   } else {
-    const TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+    const TlsphBody<d> simulation = make_tlsph<d>(scene);
     body.energy = stored_energy(simulation.solid);
     body.actions = simulation.actions;
   }

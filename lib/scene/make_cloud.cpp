@@ -1,8 +1,9 @@
+#include "lib/scene/make_cloud.hpp"
+
 #include <fmt/format.h>
 
 #include "lib/geometry/shaped_cloud.hpp"
 #include "lib/scene/cloud_file.hpp"
-#include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 
 namespace plumb {

@@ -94,17 +94,17 @@ struct Method {
   std::string kernel = "cubic";
   double beta = 0.9;  ///< h/d: the least neighbours with no near-zero modes
   std::string pair =
-      "W1";          ///< W1 | W0 | none: W1 meets (5a), (5b), (9a), (9b) at every particle; none: W with L^-1
+      "W1";  ///< W1 | W0 | none: W1 meets 000 (5a), (5b), (9a), (9b) at every particle; none: W with L^-1
   long nearest = 0;  ///< support = "nearest:12": each particle's reaches to that neighbour; 0: beta, of all
   std::string gradient = "compatible";  ///< standard | improved | bond38 | compatible
   Compatible compatible;                ///< of gradient = "compatible" only
   std::string momentum =
-      "adjoint";  ///< symmetrised (22) | adjoint: energy and angular momentum exact | variational
+      "adjoint";  ///< symmetrised: 000 (22) | adjoint: energy and angular momentum exact | variational
   std::string integrator = "verlet";        ///< rk3 | verlet
-  std::optional<double> cfl = default_cfl;  ///< alpha_CFL (31); nullopt if time_step is set
+  std::optional<double> cfl = default_cfl;  ///< alpha_CFL of 000 (31); nullopt if time_step is set
   std::optional<double> time_step;          ///< fixed [s]; nullopt if cfl is set
   std::string wave_speed =
-      "linear";  ///< linear | stretch | stretch-inverse (32): linear costs nothing and is constant
+      "linear";  ///< linear | stretch | stretch-inverse: 000 (32): linear costs nothing and is constant
   std::optional<JstOptions> jst;                ///< absent: no dissipation
   std::optional<HourglassOptions> hourglass;    ///< absent: no hourglass energy
   std::optional<ProjectionOptions> projection;  ///< absent: the force may have a torque

@@ -8,7 +8,7 @@ namespace {
 
 /// A body of bonds whose equilibria are sought.
 template <int d>
-Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const Scene& scene) {
+Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Scene& scene) {
   Simulation<d> simulation = as_simulation<d>(body, scene.material);
   simulation.scheme = "implicit";
   const std::shared_ptr<State<d>> state(body, &body->state);
@@ -25,7 +25,7 @@ Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphSimulation<d>>& 
 template <int d>
 BuiltScene<d> make_simulation(const Scene& scene) {
   if (has_own_body(scene.method.scheme)) return {make_scheme_simulation<d>(scene), nullptr};
-  const auto body = std::make_shared<TlsphSimulation<d>>(make_tlsph<d>(scene));
+  const auto body = std::make_shared<TlsphBody<d>>(make_tlsph<d>(scene));
   if (scene.method.scheme == "implicit") return {implicit_as_simulation<d>(body, scene), body};
   return {as_simulation<d>(body, scene.material), body};
 }

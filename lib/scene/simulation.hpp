@@ -10,16 +10,19 @@ namespace plumb {
 template <int d>
 struct BuiltScene {
   Simulation<d> simulation;
-  std::shared_ptr<TlsphSimulation<d>> tlsph;  ///< the body of scheme "tlsph"; null for any other scheme
+  std::shared_ptr<TlsphBody<d>> tlsph;  ///< the body of scheme "tlsph"; null for any other scheme
 };
 
-/// Builds the scene. Throws InputError.
+/// Builds the scene: "tlsph" by make_tlsph() and as_simulation() below, any other scheme by make_scheme_simulation()
+/// (scheme_simulation.hpp). Throws InputError.
 template <int d>
 BuiltScene<d> make_simulation(const Scene& scene);
 
-/// A total Lagrangian body as the harness sees it.
+/// Makes a Simulation of a total Lagrangian body, which it keeps alive together with what follows it through a run (closest
+/// pairs, reactions, relaxation, work of supports, budget). Control and warnings are copied: from then on those of the
+/// Simulation count. save() keeps u, v, what the integrator carries, the work of supports and the rate of relaxation.
 template <int d>
-Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const MaterialChoice& material);
+Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const MaterialChoice& material);
 
 /// What a total Lagrangian body shows of its state.
 template <int d>

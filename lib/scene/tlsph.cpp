@@ -112,7 +112,7 @@ void refuse_own_body(const Scene& scene) {
 }  // namespace
 
 template <int d>
-TlsphSimulation<d> make_tlsph(const Scene& scene) {
+TlsphBody<d> make_tlsph(const Scene& scene) {
   Cloud<d> cloud = make_cloud<d>(scene.body);
   std::optional<Surface<d>> surface;
   if (needs_surface<d>(scene, cloud) && scene.method.compatible.surface == "shape")
@@ -121,11 +121,11 @@ TlsphSimulation<d> make_tlsph(const Scene& scene) {
 }
 
 template <int d>
-TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
+TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
   refuse_own_body(scene);
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
   if (scene.method.nearest > 0) use_own_supports(options, support_radii(cloud, scene.method.nearest));
-  TlsphSimulation<d> simulation;
+  TlsphBody<d> simulation;
   std::vector<std::string> warnings;
   if (needs_surface<d>(scene, cloud) && !surface) {
     surface = guess_surface(cloud);
@@ -170,7 +170,7 @@ TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<
 }
 
 template <int d>
-std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation) {
+std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation) {
   const Solid<d>& solid = simulation.solid;
   const Workspace<d>& workspace = *simulation.stepper.workspace;
   std::vector<ArrayEntry> arrays = {
@@ -196,11 +196,11 @@ std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation) {
 
 template BondOptions<2> bond_options<2>(const Scene&, double);
 template BondOptions<3> bond_options<3>(const Scene&, double);
-template TlsphSimulation<2> make_tlsph<2>(const Scene&);
-template TlsphSimulation<3> make_tlsph<3>(const Scene&);
-template TlsphSimulation<2> make_tlsph<2>(const Scene&, Cloud<2>, std::optional<Surface<2>>);
-template TlsphSimulation<3> make_tlsph<3>(const Scene&, Cloud<3>, std::optional<Surface<3>>);
-template std::vector<ArrayEntry> arrays_of<2>(const TlsphSimulation<2>&);
-template std::vector<ArrayEntry> arrays_of<3>(const TlsphSimulation<3>&);
+template TlsphBody<2> make_tlsph<2>(const Scene&);
+template TlsphBody<3> make_tlsph<3>(const Scene&);
+template TlsphBody<2> make_tlsph<2>(const Scene&, Cloud<2>, std::optional<Surface<2>>);
+template TlsphBody<3> make_tlsph<3>(const Scene&, Cloud<3>, std::optional<Surface<3>>);
+template std::vector<ArrayEntry> arrays_of<2>(const TlsphBody<2>&);
+template std::vector<ArrayEntry> arrays_of<3>(const TlsphBody<3>&);
 
 }  // namespace plumb

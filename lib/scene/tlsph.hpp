@@ -5,6 +5,7 @@
 
 #include "lib/actions/actions.hpp"
 #include "lib/run/simulation.hpp"
+#include "lib/scene/make_cloud.hpp"
 #include "lib/scene/scene.hpp"
 #include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "lib/schemes/tlsph/compatible/compatible.hpp"
@@ -15,7 +16,7 @@ namespace plumb {
 
 /// A total Lagrangian body made ready to run. What the scene does not name is not in it.
 template <int d>
-struct TlsphSimulation {
+struct TlsphBody {
   Solid<d> solid;
   State<d> state;
   Stepper<d> stepper;
@@ -26,33 +27,20 @@ struct TlsphSimulation {
   std::shared_ptr<const CompatibleReport> compatible;  ///< what the projection did; null without one
 };
 
-/// The shape of [body] less its holes.
-template <int d>
-Shape<d> shape_of(const Body& body);
-
-/// The surface of [body] around its particles.
-template <int d>
-Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
-
-/// Particles of [body].
-template <int d>
-Cloud<d> make_cloud(const Body& body);
-
 /// Set-up choices of [method] and [jst] for a cloud.
 template <int d>
 BondOptions<d> bond_options(const Scene& scene, double spacing);
 
 /// Builds the whole scene. Throws InputError.
 template <int d>
-TlsphSimulation<d> make_tlsph(const Scene& scene);
+TlsphBody<d> make_tlsph(const Scene& scene);
 
 /// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface; if it is
 /// not given it is estimated from the particles (shape_around), with a warning.
 template <int d>
-TlsphSimulation<d> make_tlsph(const Scene& scene, Cloud<d> cloud,
-                              std::optional<Surface<d>> surface = std::nullopt);
+TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface = std::nullopt);
 
 template <int d>
-std::vector<ArrayEntry> arrays_of(const TlsphSimulation<d>& simulation);
+std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation);
 
 }  // namespace plumb

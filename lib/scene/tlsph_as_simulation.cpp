@@ -18,7 +18,7 @@ namespace {
 /// A body with what follows it through a run. It lives as long as the functions of the simulation.
 template <int d>
 struct Followed {
-  std::shared_ptr<TlsphSimulation<d>> body;
+  std::shared_ptr<TlsphBody<d>> body;
   ClosestPairs<d> closest;
   std::shared_ptr<const OpenForces<d>> forces;  ///< null without supports or relaxation
   std::optional<Relaxation<d>> relaxation;
@@ -94,7 +94,7 @@ void restore(Followed<d>& followed, const SavedState& saved) {
 /// What happens before the first step: the work of supports is read behind the budget.
 template <int d>
 void begin(Followed<d>& followed) {
-  TlsphSimulation<d>& body = *followed.body;
+  TlsphBody<d>& body = *followed.body;
   followed.support_work.emplace(body.solid, body.supports, body.stepper);
   followed.support_work->resume(followed.support_work_before, followed.support_power_before);
   followed.support_work->observe(body.state);
@@ -120,7 +120,7 @@ SchemeEnergy scheme_energy(const Solid<d>& solid, const State<d>& state) {
 /// Whether loads, damping or supports that change their velocity do work, which the summary does not account
 /// for ([output] budget does).
 template <int d>
-bool has_other_work(const TlsphSimulation<d>& body) {
+bool has_other_work(const TlsphBody<d>& body) {
   const auto& terms = body.solid.terms;
   return body.actions.has_loads() ||
          std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.name == "damping"; }) ||
@@ -129,7 +129,7 @@ bool has_other_work(const TlsphSimulation<d>& body) {
 }
 
 template <int d>
-Counts counts_of(const TlsphSimulation<d>& body) {
+Counts counts_of(const TlsphBody<d>& body) {
   const auto& bonds = body.solid.bonds;
   return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.stepper.workspace->work,
           bytes_per_update(body.solid, body.stepper)};
@@ -160,7 +160,7 @@ template <int d>
 void give_reactions(Simulation<d>& simulation, const std::shared_ptr<Followed<d>>& followed) {
   if (followed->body->supports.empty()) return;
   simulation.reactions = [followed] {
-    TlsphSimulation<d>& body = *followed->body;
+    TlsphBody<d>& body = *followed->body;
     std::vector<BoundaryForce<d>> named;
     Workspace<d> workspace;
     const auto open = followed->forces->at(body.solid, workspace, body.state);
@@ -179,7 +179,7 @@ void look_for_rest(Simulation<d>& simulation, const std::shared_ptr<Followed<d>>
   followed->relaxation.emplace(followed->forces);
   simulation.steps.advance = [followed, step = simulation.steps.advance](double dt) {
     auto failure = step(dt);
-    TlsphSimulation<d>& body = *followed->body;
+    TlsphBody<d>& body = *followed->body;
     if (!failure) followed->residual = followed->relaxation->damp(body.solid, body.state, dt);
     return failure;
   };
@@ -215,7 +215,7 @@ Snapshot<d> snapshot_of(const Solid<d>& solid, const State<d>& state, const Mate
 }
 
 template <int d>
-Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, const MaterialChoice& material) {
+Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const MaterialChoice& material) {
   const auto followed = std::make_shared<Followed<d>>();
   followed->body = body;
   if (!body->supports.empty() || body->control.rest)
@@ -253,7 +253,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, con
   simulation.begin = [followed] { begin(*followed); };
   simulation.close_step = [followed](bool sound) { close_step(*followed, sound); };
   simulation.keep_budget = [followed](const std::filesystem::path& file) {
-    TlsphSimulation<d>& of = *followed->body;
+    TlsphBody<d>& of = *followed->body;
     followed->budget.emplace(file, of.solid, of.state, of.stepper.weights);
   };
   return simulation;
@@ -261,7 +261,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphSimulation<d>>& body, con
 
 #define PLUMBLINE_INSTANTIATE(d)                                                                \
   template Snapshot<d> snapshot_of<d>(const Solid<d>&, const State<d>&, const MaterialChoice&); \
-  template Simulation<d> as_simulation<d>(const std::shared_ptr<TlsphSimulation<d>>&, const MaterialChoice&);
+  template Simulation<d> as_simulation<d>(const std::shared_ptr<TlsphBody<d>>&, const MaterialChoice&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

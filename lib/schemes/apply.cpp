@@ -17,10 +17,10 @@ AppliedActions<d>::AppliedActions(const Actions<d>& actions, const Cloud<d>& clo
   for (std::size_t n = 0; n < actions.held.size(); ++n)
     for (const HeldPlace<d>& place : actions.held[n].places)
       held_.push_back({slots.of(place.particle), place.component, n, place.at});
-  if (actions.body.empty()) return;
+  if (actions.body_forces.empty()) return;
   X_ = cloud.X;
   for (Index i = 0; i < cloud.size(); ++i) slot_.push_back(slots.of(i));
-  for (const BodyForce<d>& body : actions.body) {
+  for (const BodyForce<d>& body : actions.body_forces) {
     if (!body.steady) continue;
     if (!steady_.components()) steady_ = Field(d, count_, 0);
     for (std::size_t i = 0; i < X_.size(); ++i)
@@ -35,7 +35,7 @@ void AppliedActions<d>::add_loads(double time, const Field* F, double factor, Fi
   const auto add = [&](Index slot, const Vec<d>& force) {
     for (int k = 0; k < d; ++k) to[k][slot] += factor * force[k];
   };
-  for (const BodyForce<d>& body : actions_.body) {
+  for (const BodyForce<d>& body : actions_.body_forces) {
     if (body.steady) continue;
 #pragma omp parallel for schedule(static) if (count_ > 4096)
     for (Index i = 0; i < static_cast<Index>(X_.size()); ++i)

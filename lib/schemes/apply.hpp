@@ -15,7 +15,7 @@ class AppliedActions {
   AppliedActions() = default;
   AppliedActions(const Actions<d>& actions, const Cloud<d>& cloud, const Slots& slots);
 
-  bool has_loads() const { return !surface_.empty() || !actions_.body.empty(); }
+  bool has_loads() const { return !surface_.empty() || !actions_.body_forces.empty(); }
   bool needs_F() const { return follows_; }  ///< some load is a pressure
 
   /// Adds `factor` times the force per unit reference volume [N/m^d] at that time [s] to a field of d

@@ -64,7 +64,7 @@ struct Statement {
   std::string topic, text, theory;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("topic", self.topic);
     visit("text", self.text);
     visit("theory", self.theory);
@@ -79,9 +79,13 @@ concept SchemeState = requires(S& state) {
   state.fields([](const FieldInfo&, auto&) {});
 };
 
-/// A scheme for bodies in d dimensions. A scheme is one folder. `advance` makes one step of dt and leaves the
+/// A scheme for bodies in d dimensions: "mixed", "updated" and "element" are such, and as_simulation() of
+/// run/any_scheme.hpp makes a Simulation of each. "tlsph" is older and fuses force and step (loops, time): as_simulation()
+/// of scene/simulation.hpp makes its Simulation. "implicit" seeks equilibria of a body of "tlsph" or "element"
+/// (scene/go_implicitly.hpp). A scheme is one folder. `advance` makes one step of dt and leaves the
 /// state as it was if there is trouble. A scheme may also have, and then the harness uses them:
-///   const Slots& layout() const;            where a particle stands in its fields; without it: at its number
+///   const Slots& layout() const;            where a particle stands in its fields (not a Layout of a cloud);
+///                                           without it: at its number
 ///   NeighbourCounts neighbours() const;
 ///   static constexpr int evaluations_per_step;
 ///   std::vector<std::string> warnings() const;

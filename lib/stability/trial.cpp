@@ -21,7 +21,7 @@ double thread_seconds() {
 /// The particles that say how far the body is stretched. Where it is pulled these are the ones that supports
 /// hold and move: a particle that flies off is no stretch. Otherwise all.
 template <int d>
-std::vector<Index> measured_particles(const TlsphSimulation<d>& simulation) {
+std::vector<Index> measured_particles(const TlsphBody<d>& simulation) {
   std::vector<Index> particles;
   bool pulled = false;
   for (const auto& support : simulation.supports) {
@@ -36,7 +36,7 @@ std::vector<Index> measured_particles(const TlsphSimulation<d>& simulation) {
 
 /// Edges of the box around them [m].
 template <int d>
-Vec<d> edges_of(const TlsphSimulation<d>& simulation, const std::vector<Index>& particles) {
+Vec<d> edges_of(const TlsphBody<d>& simulation, const std::vector<Index>& particles) {
   Vec<d> lower = position_of(simulation.solid, simulation.state, particles.front()), upper = lower;
   for (const Index i : particles) {
     const Vec<d> x = position_of(simulation.solid, simulation.state, i);
@@ -62,7 +62,7 @@ template <int d>
 std::optional<Trial> attempt(const Scene& scene, const StabilityBounds& bounds,
                              const std::function<bool()>& go_on) {
   const double start = thread_seconds();
-  TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  TlsphBody<d> simulation = make_tlsph<d>(scene);
   simulation.control.energy_bound = bounds.energy_growth;
   simulation.control.hourglass_bound = bounds.hourglass;
   simulation.control.interval.reset();  // nothing is recorded, so that no step is cut for it

@@ -27,7 +27,7 @@ Scene scene_in(int dimension, double time_step, double end) {
 template <int d>
 double error_after(const char* solution_name, double time_step, double end, double* boundary = nullptr) {
   const Manufactured<d> solution = manufactured<d>(solution_name, {}, Elastic{17e6, 0.3, 1100});
-  TlsphSimulation<d> simulation = make_tlsph<d>(scene_in(d, time_step, end));
+  TlsphBody<d> simulation = make_tlsph<d>(scene_in(d, time_step, end));
   const Stepper<d> stepper =
       drive(simulation.solid, simulation.state, simulation.stepper, solution, {Layout::node, true});
   EXPECT_TRUE(run(simulation.solid, simulation.state, stepper, simulation.control).completed());
@@ -71,7 +71,7 @@ TEST(Drive, TractionsCarryTheColumn) {
   scene.body.origin = {-0.5, 0};
   scene.body.size = {1, 2};
   scene.body.spacing = 0.125;
-  TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+  TlsphBody<2> simulation = make_tlsph<2>(scene);
   const Stepper<2> stepper =
       drive(simulation.solid, simulation.state, simulation.stepper, solution, {Layout::node, true});
   ASSERT_TRUE(run(simulation.solid, simulation.state, stepper, simulation.control).completed());
@@ -90,7 +90,7 @@ TEST(Drive, ABandOfTwoSupportsMakesAffineMotionExact) {
   const Manufactured<2> solution = manufactured<2>("affine-patch", {}, Elastic{17e6, 0.3, 1100});
   Scene scene = scene_in(2, 1e-4, 5e-3);
   scene.body.spacing = 0.1;
-  TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+  TlsphBody<2> simulation = make_tlsph<2>(scene);
   const DriveOptions options{Layout::node, true, 0.3};
   const Stepper<2> stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution, options);
   ASSERT_TRUE(run(simulation.solid, simulation.state, stepper, simulation.control).completed());

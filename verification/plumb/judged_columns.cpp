@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/convergence/verdict.hpp"
 #include "lib/core/error.hpp"
 #include "verification/plumb/fit_text.hpp"

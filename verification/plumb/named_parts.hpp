@@ -11,7 +11,7 @@ struct NamedParameter {
   bool required;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("name", self.name);
     visit("unit", self.unit);
     visit("meaning", self.meaning);
@@ -29,7 +29,7 @@ struct NamedPart {
   std::optional<std::vector<NamedParameter>> parameters = {};  ///< of materials
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("kind", self.kind);
     visit("key", self.key);
     visit("name", self.name);

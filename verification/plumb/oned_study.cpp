@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "oned/study.hpp"
 #include "verification/plumb/drawing.hpp"
 #include "verification/plumb/fit_text.hpp"

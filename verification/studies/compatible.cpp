@@ -149,7 +149,7 @@ struct Drift {
 
 template <int d>
 Drift drift_of(const Scene& scene, long every) {
-  TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  TlsphBody<d> simulation = make_tlsph<d>(scene);
   const double energy = energy_of(simulation.solid, simulation.state).total();
   const Momentum start = momentum_of(simulation.solid, simulation.state);
   Drift drift;

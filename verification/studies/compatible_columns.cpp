@@ -21,7 +21,7 @@ struct Outcome {
 
 Outcome outcome_of(const std::string& scene_file, std::vector<std::string> overrides) {
   overrides.emplace_back("compatible.table=projected");
-  TlsphSimulation<3> simulation =
+  TlsphBody<3> simulation =
       make_tlsph<3>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene_file, overrides));
   const double energy = energy_of(simulation.solid, simulation.state).total();
   const auto result = run(simulation.solid, simulation.state, simulation.stepper, simulation.control);

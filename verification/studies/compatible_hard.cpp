@@ -43,7 +43,7 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
 }
 
 template <int d>
-TlsphSimulation<d> build(const Hard<d>& hard, double beta) {
+TlsphBody<d> build(const Hard<d>& hard, double beta) {
   Scene scene = hard.scene;
   scene.method.beta = beta;
   if (!hard.cloud) return make_tlsph<d>(scene);
@@ -65,7 +65,7 @@ struct Sound {
 };
 
 template <int d>
-double affine_error(TlsphSimulation<d>& simulation) {
+double affine_error(TlsphBody<d>& simulation) {
   Mat<d> G;
   for (int a = 0; a < d; ++a)
     for (int b = 0; b < d; ++b) G(a, b) = 0.1 * std::sin(1.0 + 3 * a + 7 * b);
@@ -80,7 +80,7 @@ double affine_error(TlsphSimulation<d>& simulation) {
 }
 
 template <int d>
-double energy_change(TlsphSimulation<d>& simulation, double step) {
+double energy_change(TlsphBody<d>& simulation, double step) {
   simulation.control.fixed_step = step;
   const double start = energy_of(simulation.solid, simulation.state).total();
   double change = 0;
@@ -95,7 +95,7 @@ double energy_change(TlsphSimulation<d>& simulation, double step) {
 
 template <int d>
 Sound measure(const Hard<d>& hard, double beta) {
-  TlsphSimulation<d> simulation = build(hard, beta);
+  TlsphBody<d> simulation = build(hard, beta);
   const double cell = std::pow(simulation.solid.cloud.spacing, d);
   Sound found{};
   found.beta = beta;

@@ -28,7 +28,7 @@ template <int d>
 EnergyHistory energy_history(const std::string& file, const std::vector<std::string>& overrides,
                              double time) {
   const Scene scene = read_scene(std::string(PLUMBLINE_SOURCE_DIR "/verification/") + file, overrides);
-  TlsphSimulation<d> s = make_tlsph<d>(scene);
+  TlsphBody<d> s = make_tlsph<d>(scene);
   s.control.end_time = time;
   s.control.max_steps.reset();
   // a constant step: Verlet is symplectic for that only
@@ -89,7 +89,7 @@ TEST_CASE("conservation: JST takes energy, in every step with L^T V L, and is al
     const Scene scene = read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/bending-column.toml",
                                    {"method.momentum=adjoint", "method.cfl=0.25", "scene.end_time=0.02",
                                     std::string("jst.outer=") + outer});
-    TlsphSimulation<3> s = make_tlsph<3>(scene);
+    TlsphBody<3> s = make_tlsph<3>(scene);
     const double start = energy_of(s.solid, s.state).total();
     Budget<3> budget(s.solid, s.state, s.stepper.weights);
     double most = -1;

@@ -31,11 +31,11 @@ Actions<d> static_actions(const Cloud<d>& cloud, const mms::Manufactured<d>& sol
     if (solution.domain.depth(cloud.X[i]) < 1e-9)
       for (int k = 0; k < d; ++k) surface.places.push_back({i, k, cloud.X[i]});
   actions.held.push_back(surface);
-  actions.body.push_back({"-Div P",
-                          [&solution](const Vec<d>& X, double t) -> Vec<d> {
-                            return -solution.stress_divergence(solution.motion(X, t));
-                          },
-                          false});
+  actions.body_forces.push_back({"-Div P",
+                                 [&solution](const Vec<d>& X, double t) -> Vec<d> {
+                                   return -solution.stress_divergence(solution.motion(X, t));
+                                 },
+                                 false});
   return actions;
 }
 
@@ -54,7 +54,7 @@ Errors static_error(const mms::Manufactured<d>& solution, const Method& method, 
   scene.body.jitter = jitter;
   scene.material = {"neo-hookean", rubber.young, rubber.poisson, rubber.density};
   scene.method = method;
-  TlsphSimulation<d> s = make_tlsph<d>(scene);
+  TlsphBody<d> s = make_tlsph<d>(scene);
   ImplicitOptions options;
   options.steps = 1;
   const Actions<d> actions = static_actions<d>(s.solid.cloud, solution);

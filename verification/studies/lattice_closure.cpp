@@ -42,7 +42,7 @@ Scene free_box(const std::vector<double>& size, double spacing, double poisson) 
 /// with its normal displacement (zero) held on all faces and its tangential traction (zero) left free.
 template <int d>
 double error_on_rollers(const Scene& scene, double k2, Vec<d> (*field)(const Vec<d>&)) {
-  const TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  const TlsphBody<d> simulation = make_tlsph<d>(scene);
   REQUIRE(simulation.compatible->closed_form);
   const Cloud<d>& cloud = simulation.solid.cloud;
   Eigen::VectorXd load(d * cloud.size());
@@ -125,7 +125,7 @@ velocity = ["4*X + 2*Y - 1*Z", "-1*X + 3*Y + 2*Z", "2*X - 3*Z + 5"]
         "2*Z\", "
         "\"2*X - 3*Z + 5\"]\n",
         face);
-  TlsphSimulation<3> simulation = make_tlsph<3>(parse_scene(scene_text + faces, "affine.toml"));
+  TlsphBody<3> simulation = make_tlsph<3>(parse_scene(scene_text + faces, "affine.toml"));
   REQUIRE(simulation.compatible->closed_form);
   REQUIRE(run(simulation.solid, simulation.state, simulation.stepper, simulation.control).completed());
   Mat<3> G;
@@ -222,7 +222,7 @@ TEST_CASE("closure: symbol of the family", "[closure]") {
 TEST_CASE("closure: energy of bending a body of few cells", "[closure]") {
   for (const Index n : {2, 4, 8}) {
     Scene scene = free_box({1, 1}, 1.0 / static_cast<double>(n), 0.3);
-    const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+    const TlsphBody<2> simulation = make_tlsph<2>(scene);
     const Solid<2>& solid = simulation.solid;
     const double a =
         averaging(lattice_closure<2>(solid.cloud, bond_options<2>(scene, solid.cloud.spacing)), 1, 0);
@@ -270,7 +270,7 @@ Vec<3> corner_of_column(int cells, const std::string& motion, double poisson = 0
         scene.boundaries.push_back(roller);
       }
   }
-  TlsphSimulation<3> simulation = make_tlsph<3>(scene);
+  TlsphBody<3> simulation = make_tlsph<3>(scene);
   REQUIRE(simulation.compatible->closed_form);
   const double energy = energy_of(simulation.solid, simulation.state).total();
   REQUIRE(run(simulation.solid, simulation.state, simulation.stepper, simulation.control).completed());

@@ -12,14 +12,14 @@ using namespace plumb;
 
 namespace {
 
-TlsphSimulation<2> simulation_of(const char* file, const std::vector<std::string>& overrides = {}) {
+TlsphBody<2> simulation_of(const char* file, const std::vector<std::string>& overrides = {}) {
   return make_tlsph<2>(
       read_scene(std::string(PLUMBLINE_SOURCE_DIR "/verification/scenes/") + file, overrides));
 }
 
 /// Root mean square error of the axial displacement over that of the exact wave.
 double wave_error(const char* spacing) {
-  TlsphSimulation<2> s = simulation_of("tensile-bar.toml", {std::string("body.spacing=") + spacing});
+  TlsphBody<2> s = simulation_of("tensile-bar.toml", {std::string("body.spacing=") + spacing});
   REQUIRE(run<2>(s.solid, s.state, s.stepper, s.control).completed());
   const double speed = s.solid.elastic.wave_speed(), velocity = 1e-3, length = 2;
   double error = 0, size = 0;
@@ -42,7 +42,7 @@ TEST_CASE("scenes: the wave in the tensile bar is d'Alembert's, with first order
 }
 
 TEST_CASE("scenes: the oscillating plate has the period of thin-plate theory", "[scenes]") {
-  TlsphSimulation<2> s = simulation_of("oscillating-plate.toml");
+  TlsphBody<2> s = simulation_of("oscillating-plate.toml");
   const Index tip = s.solid.bonds.slots.of(s.solid.cloud.size() - 1);
   double before = 0, time_before = 0, period = 0;
   const auto result =
@@ -62,7 +62,7 @@ TEST_CASE("scenes: the oscillating plate has the period of thin-plate theory", "
 
 TEST_CASE("scenes: the bar under its weight hangs as far as its stiffness says", "[scenes][loads]") {
   const auto lower_end = [](const char* spacing) {
-    TlsphSimulation<2> s = simulation_of("hanging-bar.toml", {std::string("body.spacing=") + spacing});
+    TlsphBody<2> s = simulation_of("hanging-bar.toml", {std::string("body.spacing=") + spacing});
     REQUIRE(run<2>(s.solid, s.state, s.stepper, s.control).completed());
     const auto lower = particles_on_face(s.solid.cloud, 1, false, Layout::node);
     double mean = 0;

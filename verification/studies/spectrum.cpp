@@ -26,7 +26,7 @@ Scene block(int dimension, int n, double poisson) {
 
 template <int d>
 LinearOperator<d> operator_of(const Scene& scene) {
-  const TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  const TlsphBody<d> simulation = make_tlsph<d>(scene);
   return {simulation.solid, simulation.supports};
 }
 

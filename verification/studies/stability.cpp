@@ -28,7 +28,7 @@ TEST_CASE("the cfl limit of small motion is that of the largest eigenvalue", "[s
   for (const auto& variant : study.variants)
     for (const auto& beta : study.values) {
       const Scene scene = varied_scene(study, overrides_of(study, variant, beta, 1), 1);
-      const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+      const TlsphBody<2> simulation = make_tlsph<2>(scene);
       LinearOperator<2> op(simulation.solid, simulation.supports);
       const double theory = oscillation_limit(scene.method.integrator) / std::sqrt(spectrum_of(op).largest);
       const Edge edge = find_edge(0.8 * theory, 1.25 * theory, 0.01, [&](double cfl) {
@@ -45,7 +45,7 @@ TEST_CASE("the largest dissipation at a fixed step is that of (6.5)", "[stabilit
   const auto& variant = study.variants.back();  // symmetrised, improved F
   for (const auto& step : {study.values[1], study.values[2]}) {
     Scene scene = varied_scene(study, overrides_of(study, variant, step, 1), 1);
-    const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+    const TlsphBody<2> simulation = make_tlsph<2>(scene);
     // the limit on the step at eta4 = 1 is inversely proportional to eta4
     const double theory = simulation.solid.step_limit / *scene.method.time_step;
     const Edge edge = find_edge(0.8 * theory, 1.25 * theory, 0.02, [&](double eta4) {

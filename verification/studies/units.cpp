@@ -87,7 +87,7 @@ double rounding(const Scene& scene) {
 /// Runs both and compares every particle; small bodies also by their spectrum.
 template <int d>
 void expect_the_same(const Scene& si, const Units& u) {
-  TlsphSimulation<d> reference = make_tlsph<d>(si), other = make_tlsph<d>(scaled(si, u));
+  TlsphBody<d> reference = make_tlsph<d>(si), other = make_tlsph<d>(scaled(si, u));
   REQUIRE(other.solid.cloud.size() == reference.solid.cloud.size());
   const auto ended = run<d>(reference.solid, reference.state, reference.stepper, reference.control);
   const auto ended_too = run<d>(other.solid, other.state, other.stepper, other.control);
@@ -102,7 +102,7 @@ void expect_the_same(const Scene& si, const Units& u) {
 
 template <int d>
 void expect_the_same_spectrum(const Scene& si, const Units& u) {
-  const TlsphSimulation<d> one = make_tlsph<d>(si), two = make_tlsph<d>(scaled(si, u));
+  const TlsphBody<d> one = make_tlsph<d>(si), two = make_tlsph<d>(scaled(si, u));
   LinearOperator<d> reference(one.solid, one.supports), other(two.solid, two.supports);
   const Spectrum a = spectrum_of(reference), b = spectrum_of(other);
   CHECK(b.largest == Approx(a.largest).epsilon(rounding(si)));

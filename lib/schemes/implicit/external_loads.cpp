@@ -32,7 +32,7 @@ Eigen::VectorXd ExternalLoads<d>::dead(const PathPoint& at) const {
           asked.factor * area * load.traction(place.at, place.area / area, asked.time);
     }
   }
-  for (const BodyForce<d>& load : actions_.body) {
+  for (const BodyForce<d>& load : actions_.body_forces) {
     const Asked asked(load.steady, at);
     for (Index i = 0; i < cloud_.size(); ++i)
       force.segment<d>(d * i) += asked.factor * cloud_.V[i] * load.per_volume(cloud_.X[i], asked.time);

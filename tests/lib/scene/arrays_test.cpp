@@ -59,7 +59,7 @@ TEST_P(Arrays, AreTheOnesThatTheSceneNeedsAndNoMemoryIsKeptBeside) {
   const Scene scene = parse_scene(bare + wanted.sections, "test.toml", wanted.overrides);
   make_tlsph<3>(scene);  // whatever is allocated once for all
   const std::size_t before = allocated();
-  TlsphSimulation<3> simulation = make_tlsph<3>(scene);
+  TlsphBody<3> simulation = make_tlsph<3>(scene);
   std::size_t listed = 0;
   std::vector<std::string> names;
   for (const auto& array : arrays_of(simulation)) {

@@ -29,18 +29,18 @@ cfl = 0.02
 )";
 
 /// The scene run to its end.
-TlsphSimulation<2> after(const std::string& more) {
-  TlsphSimulation<2> s = make_tlsph<2>(parse_scene(square + more, "loads.toml"));
+TlsphBody<2> after(const std::string& more) {
+  TlsphBody<2> s = make_tlsph<2>(parse_scene(square + more, "loads.toml"));
   EXPECT_TRUE(run<2>(s.solid, s.state, s.stepper, s.control).completed());
   return s;
 }
 
-Vec<2> displacement(const TlsphSimulation<2>& s, Index i) {
+Vec<2> displacement(const TlsphBody<2>& s, Index i) {
   return vector_at<2>(s.state.u, s.solid.bonds.slots.of(i));
 }
 
 TEST(LoadsOfAScene, GravityActsOnTheMassWithItsRamp) {
-  const TlsphSimulation<2> s = after("[load]\ngravity = [0, \"-9.81 m/s^2\"]\nramp = \"1 ms\"\n");
+  const TlsphBody<2> s = after("[load]\ngravity = [0, \"-9.81 m/s^2\"]\nramp = \"1 ms\"\n");
   // half of the ramp's time is lost: the integral of 10 s^3 - 15 s^4 + 6 s^5 over 0 to 1 is 1/2
   const Momentum p = momentum_of(s.solid, s.state);
   // Verlet's trapezoidal rule on some 70 steps, an error of (dt/ramp)^2 and less
@@ -49,14 +49,14 @@ TEST(LoadsOfAScene, GravityActsOnTheMassWithItsRamp) {
 }
 
 TEST(LoadsOfAScene, ABodyForceIsPerVolumeAndMayDependOnPlaceAndTime) {
-  const TlsphSimulation<2> s = after("[load]\nbody_force = [\"1e4*X\", \"1e7*t\"]\n");
+  const TlsphBody<2> s = after("[load]\nbody_force = [\"1e4*X\", \"1e7*t\"]\n");
   const Momentum p = momentum_of(s.solid, s.state);
   EXPECT_NEAR(p.linear[0], 0.5e4 * 2e-3, 1e-11);      // the integral of X over the square is 1/2
   EXPECT_NEAR(p.linear[1], 0.5 * 1e7 * 4e-6, 1e-11);  // the trapezoidal rule is exact for t
 }
 
 TEST(LoadsOfAScene, ATractionAndAPressureLoadTheirFace) {
-  const TlsphSimulation<2> s = after(
+  const TlsphBody<2> s = after(
       "[[boundary]]\nface = \"x+\"\nkind = \"traction\"\ntraction = [\"1 kPa\", \"2e6*t\"]\n"
       "[[boundary]]\nwhere = \"Y < 1e-9 && X < 0.5\"\nkind = \"pressure\"\npressure = \"1 kPa\"\n");
   const Momentum p = momentum_of(s.solid, s.state);
@@ -67,7 +67,7 @@ TEST(LoadsOfAScene, ATractionAndAPressureLoadTheirFace) {
 }
 
 TEST(LoadsOfAScene, APrescribedDisplacementIsThereAtTheEnd) {
-  const TlsphSimulation<2> s = after(
+  const TlsphBody<2> s = after(
       "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n"
       "[[boundary]]\nface = \"x+\"\nkind = \"displacement\"\ndisplacement = [\"0.01*sin(500*t)\", "
       "\"0.002*Y*t/0.002\"]\n");
@@ -84,7 +84,7 @@ TEST(LoadsOfAScene, APrescribedDisplacementIsThereAtTheEnd) {
 }
 
 TEST(LoadsOfAScene, APrescribedVelocityMayDependOnTime) {
-  const TlsphSimulation<2> s =
+  const TlsphBody<2> s =
       after("[[boundary]]\nface = \"x+\"\nkind = \"velocity\"\nvelocity = [\"3*cos(500*t)\", 0]\n");
   for (Index i = 0; i < s.solid.cloud.size(); ++i)
     if (s.solid.cloud.X[i][0] > 1 - 1e-9) {
@@ -95,13 +95,13 @@ TEST(LoadsOfAScene, APrescribedVelocityMayDependOnTime) {
 }
 
 TEST(LoadsOfAScene, DampingTakesMomentumByItsRate) {
-  const TlsphSimulation<2> s = after("[initial]\nvelocity = [2, 0]\n[damping]\nrate = 100\n");
+  const TlsphBody<2> s = after("[initial]\nvelocity = [2, 0]\n[damping]\nrate = 100\n");
   // a rigid motion: v' = -c v. Verlet reads the velocity half a step before: an error of c^2 t dt/2 = 3e-4
   EXPECT_NEAR(momentum_of(s.solid, s.state).linear[0], 2200 * std::exp(-100 * 2e-3), 2200 * 5e-4);
 }
 
 TEST(LoadsOfAScene, AnInitialDisplacementIsTaken) {
-  TlsphSimulation<2> s =
+  TlsphBody<2> s =
       make_tlsph<2>(parse_scene(square + "[initial]\ndisplacement = [\"0.01*X\", \"0.02*X*Y\"]\n", "s"));
   for (Index i = 0; i < s.solid.cloud.size(); ++i) {
     const Vec<2>& X = s.solid.cloud.X[i];

@@ -132,7 +132,7 @@ test::PlainChoices plain_choices(const Row& row) {
 }
 
 template <int d>
-std::vector<Vec<d>> forces_of(TlsphSimulation<d>& body) {
+std::vector<Vec<d>> forces_of(TlsphBody<d>& body) {
   std::vector<Vec<d>> by_slot(body.solid.bonds.slots.count(), Vec<d>::Zero()), f;
   Workspace<d> workspace;
   EXPECT_TRUE(evaluate(body.solid, workspace, body.state, 0.0, [&](const Block& block, BlockForce<d>& force) {

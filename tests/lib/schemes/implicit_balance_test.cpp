@@ -91,8 +91,9 @@ TYPED_TEST(ImplicitBalance, TheChangeOfPotentialHasTheResidualAsItsSlope) {
 TEST(ExternalLoads, ConstantOnesGrowWithTheShareAndOthersAreTakenAtItsTime) {
   const Cloud<2> cloud = testing::block<2>(4, Layout::node, 0);
   Actions<2> actions = loads_on_a_face<2>(cloud, false);  // 2e5 N/m^2 x 0.1 m on each of four particles
-  actions.body.push_back({"gravity", [](const Vec<2>&, double t) { return Vec<2>(0, 300 * t); }, false});
-  actions.body.push_back({"gravity", [](const Vec<2>&, double) { return Vec<2>(0, 100); }, true});
+  actions.body_forces.push_back(
+      {"gravity", [](const Vec<2>&, double t) { return Vec<2>(0, 300 * t); }, false});
+  actions.body_forces.push_back({"gravity", [](const Vec<2>&, double) { return Vec<2>(0, 100); }, true});
   const ExternalLoads<2> loads(cloud, actions);
   EXPECT_FALSE(loads.follow());
   const VectorXd f = loads.dead({2.0, 0.25});

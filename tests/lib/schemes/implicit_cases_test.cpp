@@ -15,8 +15,8 @@ namespace {
 
 const std::string scenes = PLUMBLINE_SOURCE_DIR "/verification/scenes/";
 
-TlsphSimulation<2> equilibrium_of(const std::string& file, const std::vector<std::string>& set,
-                                  StaticResult<2>* result = nullptr, const ImplicitOptions& options = {}) {
+TlsphBody<2> equilibrium_of(const std::string& file, const std::vector<std::string>& set,
+                            StaticResult<2>* result = nullptr, const ImplicitOptions& options = {}) {
   auto s = make_tlsph<2>(read_scene(scenes + file, set));
   auto found = find_equilibrium<2>(s.solid, s.actions, s.control.end_time.value(), options, s.state);
   EXPECT_TRUE(found.completed()) << found.failure->in_words();
@@ -24,7 +24,7 @@ TlsphSimulation<2> equilibrium_of(const std::string& file, const std::vector<std
   return s;
 }
 
-Vec<2> displacement_near(const TlsphSimulation<2>& s, const Vec<2>& X) {
+Vec<2> displacement_near(const TlsphBody<2>& s, const Vec<2>& X) {
   Index nearest = 0;
   for (Index i = 0; i < s.solid.cloud.size(); ++i)
     if ((s.solid.cloud.X[i] - X).norm() < (s.solid.cloud.X[nearest] - X).norm()) nearest = i;
@@ -33,7 +33,7 @@ Vec<2> displacement_near(const TlsphSimulation<2>& s, const Vec<2>& X) {
 }
 
 /// The bar of the scene on a lattice that is bent so that its first column lies on the circle.
-TlsphSimulation<2> flag_on_bent_lattice(Index cells_across) {
+TlsphBody<2> flag_on_bent_lattice(Index cells_across) {
   Scene scene = read_scene(scenes + "elastic-flag.toml");
   const double spacing = 0.02 / static_cast<double>(cells_across);
   Cloud<2> cloud =

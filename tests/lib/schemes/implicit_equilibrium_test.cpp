@@ -46,14 +46,13 @@ kind = "roller"
 const std::string rollers_in_space = rollers + "[[boundary]]\nface = \"z-\"\nkind = \"roller\"\n";
 
 template <int d>
-StaticResult<d> found(TlsphSimulation<d>& s, const ImplicitOptions& options = {},
-                      const OnLoadStep& on_step = {}) {
+StaticResult<d> found(TlsphBody<d>& s, const ImplicitOptions& options = {}, const OnLoadStep& on_step = {}) {
   return find_equilibrium<d>(s.solid, s.actions, s.control.end_time.value(), options, s.state, on_step);
 }
 
 /// Every particle has the same deformation gradient, to the tolerance of Newton's method.
 template <int d>
-Mat<d> common_gradient(const TlsphSimulation<d>& s) {
+Mat<d> common_gradient(const TlsphBody<d>& s) {
   const Mat<d> F = deformation_gradient_of(s.solid, s.state, 0);
   for (Index i = 1; i < s.solid.cloud.size(); ++i)
     EXPECT_LT((deformation_gradient_of(s.solid, s.state, i) - F).norm(), 1e-8) << i;
@@ -63,7 +62,7 @@ Mat<d> common_gradient(const TlsphSimulation<d>& s) {
 /// P of the law at F, by the body's own loops: differences of its energy would do, the tangent's integral is
 /// exact enough.
 template <int d>
-Mat<d> stress_at(const TlsphSimulation<d>& s, const Mat<d>& F) {
+Mat<d> stress_at(const TlsphBody<d>& s, const Mat<d>& F) {
   const NeoHookean law(s.solid.elastic);
   return law.first_piola(F);
 }
@@ -275,13 +274,13 @@ TEST(Equilibrium, StopsBelowALimitPointAndSaysSo) {
 }
 
 /// The block with a force that is no number from t = 0.9 s on.
-TlsphSimulation<2> lost_block() {
+TlsphBody<2> lost_block() {
   auto s = make_tlsph<2>(block_scene(rollers));
-  s.actions.body.push_back({"lost",
-                            [](const Vec<2>&, double t) -> Vec<2> {
-                              return {1e5 * std::sqrt(0.9 - t), 0};
-                            },
-                            false});
+  s.actions.body_forces.push_back({"lost",
+                                   [](const Vec<2>&, double t) -> Vec<2> {
+                                     return {1e5 * std::sqrt(0.9 - t), 0};
+                                   },
+                                   false});
   return s;
 }
 

@@ -13,7 +13,7 @@ const Vec<2> gravity(0.3, -9.81);
 TEST(MixedActions, AFreeBodyFallsAsGalileiSays) {
   for (const bool steady : {true, false}) {
     Actions<2> actions;
-    actions.body.push_back(
+    actions.body_forces.push_back(
         {"weight", [](const Vec<2>&, double) -> Vec<2> { return column_rubber.density * gravity; }, steady});
     Mixed<2> body = mixed_body(cube<2>(4), MixedOptions(), actions);
     MixedState<2> state = body.start({});
@@ -29,11 +29,11 @@ TEST(MixedActions, AFreeBodyFallsAsGalileiSays) {
 // The stages see the loads at t, t + dt, t + dt/2: with weights 1/6, 1/6, 2/3 a cubic in time is exact.
 TEST(MixedActions, LoadsAreTakenAtTheTimesOfTheStages) {
   Actions<2> actions;
-  actions.body.push_back({"push",
-                          [](const Vec<2>&, double t) -> Vec<2> {
-                            return {1.1e15 * t * t * t, 0};
-                          },
-                          false});
+  actions.body_forces.push_back({"push",
+                                 [](const Vec<2>&, double t) -> Vec<2> {
+                                   return {1.1e15 * t * t * t, 0};
+                                 },
+                                 false});
   Mixed<2> body = mixed_body(cube<2>(3), MixedOptions(), actions);
   MixedState<2> state = body.start({});
   for (int n = 0; n < 4; ++n) ASSERT_FALSE(body.advance(state, 5e-4));

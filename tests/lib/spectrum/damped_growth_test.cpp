@@ -18,7 +18,7 @@ LinearOperator<2> square(double eta4) {
       "[material]\nyoung = 17e6\npoisson = 0.495\ndensity = 1100\n"
       "[method]\nmomentum = \"symmetrised\"\ngradient = \"standard\"\npair = \"W1\"\nbeta = 0.9\n[jst]\n",
       "test.toml", {"jst.eta4=" + std::to_string(eta4)});
-  const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+  const TlsphBody<2> simulation = make_tlsph<2>(scene);
   return {simulation.solid, simulation.supports};
 }
 

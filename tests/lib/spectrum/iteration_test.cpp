@@ -44,7 +44,7 @@ Scene scene_of(const Body& body) {
 
 template <int d>
 LinearOperator<d> operator_of(const Body& body) {
-  const TlsphSimulation<d> simulation = make_tlsph<d>(scene_of(body));
+  const TlsphBody<d> simulation = make_tlsph<d>(scene_of(body));
   return {simulation.solid, simulation.supports};
 }
 
@@ -137,7 +137,7 @@ TEST(Iteration, ASmoothModeThatWasNotFoundIsNotZero) {
   scene.body.size = {0.35, 0.02};
   scene.body.spacing = 0.005;
   scene.method.kernel = "wendland-c2";
-  const TlsphSimulation<2> simulation = make_tlsph<2>(scene);
+  const TlsphBody<2> simulation = make_tlsph<2>(scene);
   LinearOperator<2> op(simulation.solid, simulation.supports);
   const Spectrum some = spectrum_of(op, {.dense_limit = 500});
   EXPECT_FALSE(some.low.lowest_smooth);

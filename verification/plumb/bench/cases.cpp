@@ -72,7 +72,7 @@ Case case_of(const Scheme& scheme, int dimension, bool jittered) {
 
 /// A smooth motion of the free faces, so that no step sees a body at rest.
 template <int d>
-void set_in_motion(TlsphSimulation<d>& simulation) {
+void set_in_motion(TlsphBody<d>& simulation) {
   for (Index i = 0; i < simulation.solid.cloud.size(); ++i) {
     const Vec<d>& X = simulation.solid.cloud.X[i];
     Vec<d> v = Vec<d>::Zero();
@@ -89,7 +89,7 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
   scene.body = with_spacing(scene.body, 1.0 / static_cast<double>(cells));
   omp_set_num_threads(threads);
   const Clock setup;
-  TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  TlsphBody<d> simulation = make_tlsph<d>(scene);
   Speed speed;
   speed.setup_cpu_s = setup.cpu_s();
   speed.setup_wall_s = setup.wall_s();

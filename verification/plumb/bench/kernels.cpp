@@ -31,7 +31,7 @@ Scene block(long particles, bool irregular) {
 
 /// A deformed body with all that the kernels need.
 struct Body {
-  TlsphSimulation<3> simulation;
+  TlsphBody<3> simulation;
   Cloud<3> cloud;  ///< another copy: setting up a table may change it
   BondOptions<3> options;
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/core/error.hpp"
 #include "lib/output/terminal.hpp"
 #include "places.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/core/error.hpp"
 #include "lib/output/table.hpp"
 #include "reports/picture.hpp"

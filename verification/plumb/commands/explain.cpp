@@ -25,7 +25,7 @@ namespace {
 /// Wall time of one step [s], measured on this machine: the mean over at least 0.1 s or `most` steps, after
 /// one step that warms up. Advances the simulation, which is thrown away. Null if it fails at once.
 template <int d>
-std::optional<double> seconds_per_step(TlsphSimulation<d>& simulation, double dt, long most) {
+std::optional<double> seconds_per_step(TlsphBody<d>& simulation, double dt, long most) {
   using Clock = std::chrono::steady_clock;
   if (!simulation.stepper.step(simulation.solid, simulation.state, dt)) return std::nullopt;
   const auto start = Clock::now();
@@ -51,7 +51,7 @@ long steps_to_end(const StepControl& control, double dt) {
 }
 
 template <int d>
-Explanation explanation(const Scene& scene, const std::string& shows, TlsphSimulation<d>& simulation) {
+Explanation explanation(const Scene& scene, const std::string& shows, TlsphBody<d>& simulation) {
   const Index particles = simulation.solid.cloud.size();
   const auto count = static_cast<double>(particles);
   const Parts parts = parts_of(scene, simulation);
@@ -128,7 +128,7 @@ int explain(const Session& session, const Scene& scene, const std::string& shows
   if (scene.method.gradient == "compatible")
     projection = projection_cost<d>(scene, make_cloud<d>(scene.body));
   session.text() << text_of(projection) << std::flush;  // before it is spent
-  TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  TlsphBody<d> simulation = make_tlsph<d>(scene);
   const Explanation made = explanation(scene, shows, simulation);
   tell(session.text(), made);
   if (simulation.compatible)

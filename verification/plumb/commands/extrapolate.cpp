@@ -5,8 +5,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
 #include "lib/convergence/richardson.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/convergence/verdict.hpp"
 #include "lib/core/error.hpp"
 #include "verification/plumb/commands.hpp"
@@ -97,10 +97,9 @@ void add_extrapolate(CLI::App& program, Session& session) {
                   "differences to it; refused if its own error counts")
       ->delimiter(',');
   command
-      .add_option(
-          "--order", options->order,
-          "the order that is declared: with --reference it is "
-          "judged, else the asymptotic ratio is formed with it")
+      .add_option("--order", options->order,
+                  "the order that is declared: with --reference it is "
+                  "judged, else the asymptotic ratio is formed with it")
       ->check(CLI::PositiveNumber);
   point_to_verdicts(command);
 }

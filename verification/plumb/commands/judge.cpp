@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/core/error.hpp"
 #include "lib/input/document.hpp"
 #include "verification/plumb/commands.hpp"

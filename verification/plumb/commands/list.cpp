@@ -20,7 +20,7 @@ struct ListedScene {
   std::string name, file, shows;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("name", self.name);
     visit("file", self.file);
     visit("shows", self.shows);

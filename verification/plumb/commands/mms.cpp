@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/convergence/norm_units.hpp"
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/output/table.hpp"
 #include "mms/manufactured.hpp"
 #include "verification/plumb/commands.hpp"

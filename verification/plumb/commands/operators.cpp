@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/operators.hpp"
 #include "reports/picture.hpp"

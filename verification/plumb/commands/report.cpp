@@ -8,7 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/core/error.hpp"
 #include "verification/plumb/code.hpp"
 #include "verification/plumb/commands.hpp"

@@ -59,7 +59,7 @@ std::vector<std::vector<std::string>> combinations(const std::vector<std::string
 
 template <int d>
 Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk) {
-  const TlsphSimulation<d> simulation = make_tlsph<d>(scene);
+  const TlsphBody<d> simulation = make_tlsph<d>(scene);
   LinearOperator<d> op(simulation.solid, simulation.supports);
   const Spectrum spectrum = spectrum_of(op, options);
   Json result = spectrum_json(spectrum, scene, op.time_unit(), options.low_modes);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/convergence/norm_units.hpp"
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/static_study.hpp"
 #include "verification/plumb/commands.hpp"

@@ -46,7 +46,7 @@ std::string_view name_of(Layout layout) {
 }
 
 template <int d>
-Statement body_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
+Statement body_of(const Scene& scene, const TlsphBody<d>& simulation) {
   const auto& solid = simulation.solid;
   const auto particles = static_cast<double>(solid.cloud.size());
   std::string text = fmt::format(
@@ -126,7 +126,7 @@ std::string in_words(const Boundary& boundary) {
 }
 
 template <int d>
-Statement held(const Scene& scene, const TlsphSimulation<d>& simulation) {
+Statement held(const Scene& scene, const TlsphBody<d>& simulation) {
   std::string text;
   for (const auto& boundary : scene.boundaries) {
     text += text.empty() ? "" : ", ";
@@ -187,7 +187,7 @@ std::string own_parameters(const MaterialChoice& material) {
 }  // namespace
 
 template <int d>
-std::vector<Statement> account_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
+std::vector<Statement> account_of(const Scene& scene, const TlsphBody<d>& simulation) {
   const Elastic elastic = scene.material.elastic();
   const double support = kernel_named<d>(scene.method.kernel).support;
   std::vector<Statement> all{body_of(scene, simulation)};
@@ -225,7 +225,7 @@ std::vector<Statement> account_of(const Scene& scene, const TlsphSimulation<d>& 
 }
 
 template <int d>
-Statement step_reason(const Scene& scene, const TlsphSimulation<d>& simulation, double dt) {
+Statement step_reason(const Scene& scene, const TlsphBody<d>& simulation, double dt) {
   const StepControl& control = simulation.control;
   const double crossing = crossing_time(simulation.solid, simulation.state, control.wave_speed);
   if (control.fixed_step)
@@ -246,9 +246,9 @@ Statement step_reason(const Scene& scene, const TlsphSimulation<d>& simulation, 
       "THEORY (7.3)"};
 }
 
-template std::vector<Statement> account_of<2>(const Scene&, const TlsphSimulation<2>&);
-template std::vector<Statement> account_of<3>(const Scene&, const TlsphSimulation<3>&);
-template Statement step_reason<2>(const Scene&, const TlsphSimulation<2>&, double);
-template Statement step_reason<3>(const Scene&, const TlsphSimulation<3>&, double);
+template std::vector<Statement> account_of<2>(const Scene&, const TlsphBody<2>&);
+template std::vector<Statement> account_of<3>(const Scene&, const TlsphBody<3>&);
+template Statement step_reason<2>(const Scene&, const TlsphBody<2>&, double);
+template Statement step_reason<3>(const Scene&, const TlsphBody<3>&, double);
 
 }  // namespace plumb::app

@@ -73,7 +73,7 @@ struct Stepped {
     return (thread_seconds() - start) / steps;
   }
 
-  TlsphSimulation<d> simulation;
+  TlsphBody<d> simulation;
   double dt, bytes;
 };
 

@@ -17,7 +17,7 @@ struct PartCost {
   std::optional<double> step_ratio;  ///< dt with the part over dt without it, where it caps the step
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("part", self.part);
     visit("built", self.built);
     visit("bytes_per_particle", self.bytes_per_particle);
@@ -33,7 +33,7 @@ struct Costs {
   std::vector<PartCost> parts;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("particles", self.particles);
     visit("parts", self.parts);
   }

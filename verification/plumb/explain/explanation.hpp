@@ -14,7 +14,7 @@ struct BondsPerParticle {
   Index max;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("mean", self.mean);
     visit("max", self.max);
   }
@@ -27,7 +27,7 @@ struct MemoryNeed {
   std::size_t peak_rss;  ///< of the whole program so far
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("bytes", self.bytes);
     visit("bytes_per_particle", self.bytes_per_particle);
     visit("peak_rss", self.peak_rss);
@@ -54,7 +54,7 @@ struct Explanation {
   std::vector<std::string> warnings;
 
   template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
+  static void members(Self& self, Visit&& visit) {
     visit("scene", self.scene);
     visit("shows", self.shows);
     visit("dimension", self.dimension);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 #include "lib/core/error.hpp"
 #include "lib/output/table.hpp"
 #include "verification/plumb/session.hpp"

@@ -16,7 +16,7 @@ std::size_t total_bytes(const std::vector<ArrayEntry>& arrays) {
 }
 
 template <int d>
-Parts parts_of(const Scene& scene, const TlsphSimulation<d>& simulation) {
+Parts parts_of(const Scene& scene, const TlsphBody<d>& simulation) {
   Parts parts;
   const auto add = [&parts](bool built, std::string name) {
     (built ? parts.built : parts.left_out).push_back(std::move(name));
@@ -94,7 +94,7 @@ std::size_t available_bytes() {
   return 0;
 }
 
-template Parts parts_of<2>(const Scene&, const TlsphSimulation<2>&);
-template Parts parts_of<3>(const Scene&, const TlsphSimulation<3>&);
+template Parts parts_of<2>(const Scene&, const TlsphBody<2>&);
+template Parts parts_of<3>(const Scene&, const TlsphBody<3>&);
 
 }  // namespace plumb::app

@@ -15,7 +15,7 @@ struct Parts {
   std::vector<std::string> built, left_out;
 };
 template <int d>
-Parts parts_of(const Scene& scene, const TlsphSimulation<d>& simulation);
+Parts parts_of(const Scene& scene, const TlsphBody<d>& simulation);
 
 /// What a projected table says of itself (CompatibleReport); null without one.
 nlohmann::ordered_json compatible_json(const CompatibleReport* report);

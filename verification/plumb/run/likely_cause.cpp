@@ -19,7 +19,7 @@ std::optional<double> stable_share(const std::string& integrator) {
 }  // namespace
 
 template <int d>
-std::string likely_cause(const Scene& scene, const TlsphSimulation<d>& simulation, double first_step) {
+std::string likely_cause(const Scene& scene, const TlsphBody<d>& simulation, double first_step) {
   const double crossing = simulation.solid.cloud.spacing / simulation.solid.elastic.wave_speed();
   const auto limit = stable_share(scene.method.integrator);
   if (limit && first_step > *limit * crossing)
@@ -36,7 +36,7 @@ std::string likely_cause(const Scene& scene, const TlsphSimulation<d>& simulatio
   return "";
 }
 
-template std::string likely_cause<2>(const Scene&, const TlsphSimulation<2>&, double);
-template std::string likely_cause<3>(const Scene&, const TlsphSimulation<3>&, double);
+template std::string likely_cause<2>(const Scene&, const TlsphBody<2>&, double);
+template std::string likely_cause<3>(const Scene&, const TlsphBody<3>&, double);
 
 }  // namespace plumb::app

@@ -30,7 +30,7 @@ Scene scene_of(const SceneOptions& options);
 /// All settings of the scene with its overrides, by dotted key.
 std::map<std::string, std::string> settings_of(const SceneOptions& options);
 
-/// f.template operator()<d>() for the dimension d of the scene: the one place that chooses it.
+/// f.template operator()<d>() for the dimension d of the scene: the one place that chooses it for scenes.
 template <class F>
 int with_dimension(const Scene& scene, F&& f) {
   return scene.dimension == 2 ? f.template operator()<2>() : f.template operator()<3>();

@@ -13,7 +13,7 @@ template <int d>
 struct FinishedRun {
   const Scene& scene;
   const Simulation<d>& simulation;  ///< with the last good state
-  const TlsphSimulation<d>* tlsph;  ///< the same of scheme "tlsph"; null for any other
+  const TlsphBody<d>* tlsph;        ///< the same of scheme "tlsph"; null for any other
   const RunResult& result;
   const std::vector<BoundProbe>& probes;
   const RunRecord& record;

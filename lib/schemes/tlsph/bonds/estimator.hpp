@@ -5,7 +5,7 @@
 #include "lib/core/error.hpp"
 #include "lib/core/type_list.hpp"
 #include "lib/kernel/correction.hpp"
-#include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
+#include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"  // made by CMake from estimators/*.hpp
 
 namespace plumb {
 

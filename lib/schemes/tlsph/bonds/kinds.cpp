@@ -35,7 +35,6 @@ Kinds group(Index n, Signature&& signature) {
   constexpr Index least_part = 1024;  // below that a thread costs more than it brings
   const Index parts = std::clamp<Index>(n / least_part, 1, omp_get_max_threads());
   const int threads = static_cast<int>(parts);
-  const int threads = static_cast<int>(parts);
   Kinds kinds;
   kinds.of.resize(n);
   std::vector<std::vector<Index>> found(parts);  // representatives

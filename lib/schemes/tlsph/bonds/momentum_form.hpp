@@ -4,7 +4,7 @@
 #include "lib/core/error.hpp"
 #include "lib/core/type_list.hpp"
 #include "lib/core/types.hpp"
-#include "lib/schemes/tlsph/bonds/momentum_catalogue.hpp"
+#include "lib/schemes/tlsph/bonds/momentum_catalogue.hpp"  // made by CMake from forms/*.hpp
 #include "lib/schemes/tlsph/bonds/pair_data.hpp"
 
 namespace plumb {

@@ -54,7 +54,7 @@ struct Loads {
     for (Index slot = block.begin(); slot < block.end(); ++slot) {
       const Index i = particle_of[static_cast<std::size_t>(slot)];
       if (i < 0) continue;
-      for (const BodyForce<d>& body : actions.body) {
+      for (const BodyForce<d>& body : actions.body_forces) {
         if (body.steady) continue;
         const Vec<d> f = body.per_volume(solid.cloud.X[static_cast<std::size_t>(i)], time);
         for (int k = 0; k < d; ++k) force(k, slot) += f[k];
@@ -114,7 +114,7 @@ std::shared_ptr<Loads<d>> make_loads(const Solid<d>& solid, const Actions<d>& ac
     }
   sort_by_slot(made->surface);
   bool varies = false;
-  for (const BodyForce<d>& body : actions.body) {
+  for (const BodyForce<d>& body : actions.body_forces) {
     varies = varies || !body.steady;
     if (!body.steady) continue;
     if (!made->steady.components()) made->steady = solid.make_field(d);

@@ -96,8 +96,9 @@ struct Outcome {
   explicit operator bool() const { return !unsound; }
 };
 
-/// A body of one material: its bonds, its loops and whatever optional terms the scene names. It does not change once it
-/// has been set up: what an evaluation writes is in a Workspace.
+/// A body of one material: its bonds, its loops and whatever optional terms the scene names. Steps do not change it: what an
+/// evaluation writes is in a Workspace. Whoever watches a run (Budget, SupportWork) adds terms that only read, before the
+/// first step.
 template <int d>
 struct Solid {
   Cloud<d> cloud;

@@ -22,7 +22,7 @@ template <int d>
 double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
                       ClosestPairs<d>& closest);
 
-/// The steps of a total Lagrangian body. All of its arguments must outlive them.
+/// The steps of a total Lagrangian body. All of its arguments must outlive them; run() below and as_simulation() keep them.
 template <int d>
 Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
                ClosestPairs<d>& closest);

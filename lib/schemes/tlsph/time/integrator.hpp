@@ -6,7 +6,7 @@
 
 #include "lib/core/error.hpp"
 #include "lib/schemes/tlsph/loops/solid.hpp"
-#include "lib/schemes/tlsph/time/catalogue.hpp"
+#include "lib/schemes/tlsph/time/catalogue.hpp"  // made by CMake from integrators/*.hpp
 
 namespace plumb {
 

@@ -62,7 +62,7 @@ TEST_P(Loads, AFreeBodyFallsAsGalileiSays) {
   for (const bool steady : {true, false}) {
     Solid<2> solid = rubber_block<2>(5, Layout::node, 0.1);
     Actions<2> actions;
-    actions.body.push_back(body_force<2>(solid.elastic.density * g, steady));
+    actions.body_forces.push_back(body_force<2>(solid.elastic.density * g, steady));
     apply_actions(solid, actions);
     State<2> state = make_state(solid);
     StepControl control;
@@ -87,7 +87,7 @@ TEST_P(Loads, TheBudgetOfALoadedAndHeldBodyClosesToRoundOff) {
   for (const Index i : particles_on_face(solid.cloud, 0, false, Layout::node))
     for (int k = 0; k < 2; ++k) left.push_back({i, k, 0});
   actions = holding(solid.cloud, left);
-  actions.body.push_back(body_force<2>(Vec<2>(0, -2e5), true));
+  actions.body_forces.push_back(body_force<2>(Vec<2>(0, -2e5), true));
   actions.surface.push_back(
       {"right",
        places_on<2>(solid.cloud, Vec<2>(1, 0)),

@@ -33,7 +33,7 @@ std::string boundary(const std::string& face, const std::string& kind, const std
 
 /// Velocities that are prescribed, by particle and component.
 template <int d>
-std::map<std::pair<Index, int>, double> held(const TlsphSimulation<d>& simulation) {
+std::map<std::pair<Index, int>, double> held(const TlsphBody<d>& simulation) {
   std::map<std::pair<Index, int>, double> found;
   for (const auto& s : simulation.supports) found[{s.particle, s.component}] = s.velocity;
   return found;

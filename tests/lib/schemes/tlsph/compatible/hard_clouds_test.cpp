@@ -27,7 +27,7 @@ Scene scene_of(std::vector<double> size, double spacing, Layout layout) {
 
 /// Affine motion is exact on the cloud, and no particle inside feels a force.
 template <int d>
-void expect_patch_test(TlsphSimulation<d> simulation, double tolerance) {
+void expect_patch_test(TlsphBody<d> simulation, double tolerance) {
   test::Numbers numbers(3);
   const Mat<d> G = 0.1 * numbers.matrix<d>();
   Solid<d>& solid = simulation.solid;

@@ -1,4 +1,4 @@
-#include "lib/convergence/outcome.hpp"
+#include "lib/convergence/status.hpp"
 
 #include <algorithm>
 

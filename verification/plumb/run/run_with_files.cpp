@@ -1,4 +1,4 @@
-#include "verification/plumb/run/advance.hpp"
+#include "verification/plumb/run/run_with_files.hpp"
 
 #include <fmt/format.h>
 
@@ -54,8 +54,8 @@ double wall_time() {
 }
 
 template <int d>
-RunResult advance(const std::string& name, Simulation<d>& simulation, RunRecord& record,
-                  const RunFiles<d>& files, Progress::Style style) {
+RunResult run_with_files(const std::string& name, Simulation<d>& simulation, RunRecord& record,
+                         const RunFiles<d>& files, Progress::Style style) {
   const InterruptGuard guard;
   Progress progress(name, style);
   const Stopwatch watch(record);
@@ -89,11 +89,11 @@ RunResult advance(const std::string& name, Simulation<d>& simulation, RunRecord&
   return result;
 }
 
-template RunResult advance<1>(const std::string&, Simulation<1>&, RunRecord&, const RunFiles<1>&,
-                              Progress::Style);
-template RunResult advance<2>(const std::string&, Simulation<2>&, RunRecord&, const RunFiles<2>&,
-                              Progress::Style);
-template RunResult advance<3>(const std::string&, Simulation<3>&, RunRecord&, const RunFiles<3>&,
-                              Progress::Style);
+template RunResult run_with_files<1>(const std::string&, Simulation<1>&, RunRecord&, const RunFiles<1>&,
+                                     Progress::Style);
+template RunResult run_with_files<2>(const std::string&, Simulation<2>&, RunRecord&, const RunFiles<2>&,
+                                     Progress::Style);
+template RunResult run_with_files<3>(const std::string&, Simulation<3>&, RunRecord&, const RunFiles<3>&,
+                                     Progress::Style);
 
 }  // namespace plumb::app

@@ -14,8 +14,8 @@ struct RunFiles {
 
 /// Runs the steps until the end or a signal, and keeps the record. What an early end leaves can be continued.
 template <int d>
-RunResult advance(const std::string& name, Simulation<d>& simulation, RunRecord& record,
-                  const RunFiles<d>& files, Progress::Style style);
+RunResult run_with_files(const std::string& name, Simulation<d>& simulation, RunRecord& record,
+                         const RunFiles<d>& files, Progress::Style style);
 
 /// Wall time of this machine's steady clock [s].
 double wall_time();

@@ -1,0 +1,21 @@
+#pragma once
+#include "lib/geometry/facets.hpp"
+#include "lib/geometry/shape.hpp"
+#include "lib/scene/scene.hpp"
+
+/// What every scheme makes of [body].
+namespace plumb {
+
+/// The shape of [body] less its holes.
+template <int d>
+Shape<d> shape_of(const Body& body);
+
+/// The surface of [body] around its particles.
+template <int d>
+Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
+
+/// Particles of [body].
+template <int d>
+Cloud<d> make_cloud(const Body& body);
+
+}  // namespace plumb
