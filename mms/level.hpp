@@ -90,7 +90,7 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
 /// as rings (layout node), as a clipped lattice (layout cell), or, if jittered or blue noise, as any shape is
 /// filled.
 template <int d>
-TlsphBody<d> simulation_of(const Study& study, const Manufactured<d>& solution, double spacing);
+TlsphBody<d> driven_simulation(const Study& study, const Manufactured<d>& solution, double spacing);
 
 /// The scene of one level as the solution needs it: at rest, without loads and boundaries.
 Scene scene_of_level(const Study& study, double spacing);

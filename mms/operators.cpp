@@ -63,7 +63,7 @@ template <int d>
 TlsphBody<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
   if (!study.method.jst) study.method.jst = JstOptions{};
   study.method.jst->eta2 = study.method.jst->eta4 = 0;
-  return simulation_of<d>(study, solution, spacing);
+  return driven_simulation<d>(study, solution, spacing);
 }
 
 /// Outward boundary area over volume, B_i/V_i [1/m]: a stress P leaves the force -P B_i/V_i of the surface.

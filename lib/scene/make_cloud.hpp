@@ -1,7 +1,7 @@
 #pragma once
-#include "lib/geometry/facets.hpp"
 #include "lib/geometry/shape.hpp"
 #include "lib/scene/scene.hpp"
+#include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
 
 /// What every scheme makes of [body].
 namespace plumb {
