@@ -160,7 +160,7 @@ TEST(NormValues, OfAStaticPlateAreThoseOfItsField) {
   const Plate plate(1e-7, 0.25, 17e6, 0.3, 1100);
   const double lambda = 17e6 * 0.3 / (1.3 * 0.4);
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto simulation = mms::simulation_of<2>(study, mms::solution_of<2>(study), study.spacings[k]);
+    const auto simulation = mms::driven_simulation<2>(study, mms::solution_of<2>(study), study.spacings[k]);
     const Solid<2>& solid = simulation.solid;
     const Cloud<2>& cloud = solid.cloud;
     Eigen::VectorXd load(2 * cloud.size());
