@@ -77,7 +77,8 @@ TEST(Midpoint, IsOfSecondOrder) {
 TEST(Midpoint, FollowsConstantLoadsAndSupports) {
   const Solid<2> solid = testing::elastic_body<2>({}, LawChoice("neo-hookean"), 0, 0, 4);
   Actions<2> gravity;
-  gravity.body.push_back({"gravity", [](const Vec<2>&, double) { return Vec<2>(0, -10 * 1100); }, true});
+  gravity.body_forces.push_back(
+      {"gravity", [](const Vec<2>&, double) { return Vec<2>(0, -10 * 1100); }, true});
   State<2> state = make_state(solid);
   Midpoint<2> midpoint(solid, gravity, 1e-13, state);
   ASSERT_TRUE(midpoint.step(state, 0.2).converged());
@@ -100,7 +101,8 @@ TEST(Midpoint, FollowsConstantLoadsAndSupports) {
 TEST(Midpoint, TakesLoadsAtTheMiddleOfTheStep) {
   const Solid<2> solid = testing::elastic_body<2>({}, LawChoice("neo-hookean"), 0, 0, 4);
   Actions<2> growing;
-  growing.body.push_back({"growing", [](const Vec<2>&, double t) { return Vec<2>(1100 * 6 * t, 0); }, false});
+  growing.body_forces.push_back(
+      {"growing", [](const Vec<2>&, double t) { return Vec<2>(1100 * 6 * t, 0); }, false});
   State<2> state = make_state(solid);
   Midpoint<2> midpoint(solid, growing, 1e-10, state);
   for (int n = 0; n < 2; ++n) ASSERT_TRUE(midpoint.step(state, 0.1).converged());
@@ -110,11 +112,11 @@ TEST(Midpoint, TakesLoadsAtTheMiddleOfTheStep) {
 TEST(Midpoint, AStepThatFailsLeavesTheState) {
   const Solid<2> solid = testing::elastic_body<2>({}, LawChoice("neo-hookean"), 0, 0, 4);
   Actions<2> lost;
-  lost.body.push_back({"lost",
-                       [](const Vec<2>&, double t) -> Vec<2> {
-                         return {std::sqrt(1.5e-3 - t), 0};
-                       },
-                       false});
+  lost.body_forces.push_back({"lost",
+                              [](const Vec<2>&, double t) -> Vec<2> {
+                                return {std::sqrt(1.5e-3 - t), 0};
+                              },
+                              false});
   State<2> state = spinning(solid);
   Midpoint<2> midpoint(solid, lost, 1e-12, state);
   ASSERT_TRUE(midpoint.step(state, 1e-3).converged());

@@ -169,7 +169,9 @@ TEST(Projection, TakesResultantAndTorqueAwayFromAnyField) {
     set_vector<2>(force, slots.of(i), f.back());
     size += solid.cloud.V[i] * f.back().norm();
   }
-  angular_momentum_projection(solid).whole(solid, state, {}, force);
+  const Workspace<2> workspace;
+  const Instant<2> now{state, 0, workspace, solid.terms};
+  angular_momentum_projection(solid).whole(solid, now, {}, force);
   Vec<2> resultant = Vec<2>::Zero();
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     f[i] = vector_at<2>(force, slots.of(i));
@@ -208,8 +210,11 @@ TEST(Projection, SameBitsForAnyNumberOfThreads) {
 
 TEST(Projection, WithoutItNoForceIsStored) {
   const Solid<2> without = spinning_block<2>(Points::none), with = spinning_block<2>(Points::of_integrator);
-  EXPECT_EQ(without.stored_force.components(), 0);
-  EXPECT_EQ(with.stored_force.components(), 2);
+  Workspace<2> none, stored;
+  prepare(none, without, without.terms);
+  prepare(stored, with, with.terms);
+  EXPECT_EQ(none.stored_force.components(), 0);
+  EXPECT_EQ(stored.stored_force.components(), 2);
   EXPECT_GT(with.terms.back().bytes, 0U);
 }
 
