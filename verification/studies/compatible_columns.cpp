@@ -14,19 +14,19 @@ using namespace plumb;
 
 namespace {
 
-struct Outcome {
+struct Ending {
   bool completed;
   double energy_change, hourglass_share;
 };
 
-Outcome outcome_of(const std::string& scene_file, std::vector<std::string> overrides) {
+Ending outcome_of(const std::string& scene_file, std::vector<std::string> overrides) {
   overrides.emplace_back("compatible.table=projected");
   TlsphBody<3> simulation =
       make_tlsph<3>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene_file, overrides));
   const double energy = energy_of(simulation.solid, simulation.state).total();
   const auto result = run(simulation.solid, simulation.state, simulation.stepper, simulation.control);
   const double change = energy > 0 ? energy_of(simulation.solid, simulation.state).total() / energy - 1 : 0;
-  const Outcome outcome{result.completed(), change, hourglass_share(simulation.solid, simulation.state)};
+  const Ending outcome{result.completed(), change, hourglass_share(simulation.solid, simulation.state)};
   std::string text;
   for (const auto& o : overrides) text += " " + o;
   std::cout << fmt::format("{}{}: {}, energy {:+.2e}, hourglass share {:.3f}\n", scene_file, text,
@@ -40,7 +40,7 @@ Outcome outcome_of(const std::string& scene_file, std::vector<std::string> overr
 // The bounds are what the default scheme has to reach on these columns.
 TEST_CASE("compatible: twisting column, 105 rad/s", "[compatible]") {
   for (const char* jitter : {"0", "0.2"}) {
-    const Outcome o =
+    const Ending o =
         outcome_of("twisting-column-105-compatible.toml", {std::string("body.jitter=") + jitter});
     CHECK(o.completed);
     CHECK(std::abs(o.energy_change) < 0.01);
@@ -56,7 +56,7 @@ TEST_CASE("compatible: share of the twisted column by hourglass coefficient",
   for (const char* jitter : {"0", "0.2"}) {
     double before = 1;
     for (const char* alpha : {"0.5", "1", "2", "4"}) {
-      const Outcome o =
+      const Ending o =
           outcome_of("twisting-column-105-compatible.toml",
                      {std::string("body.jitter=") + jitter, std::string("hourglass.alpha=") + alpha});
       CHECK(o.completed);
@@ -69,7 +69,7 @@ TEST_CASE("compatible: share of the twisted column by hourglass coefficient",
 TEST_CASE("compatible: bending column, and twists of 300 and 400 rad/s", "[compatible][long]") {
   for (const char* jitter : {"0", "0.2"}) {
     const std::string set = std::string("body.jitter=") + jitter;
-    const Outcome bend =
+    const Ending bend =
         outcome_of("bending-column.toml",
                    {set, "body.layout=node", "body.particles=[5,5,25]", "method.gradient=compatible",
                     "method.momentum=adjoint", "method.integrator=verlet", "jst.eta4=0"});
@@ -77,7 +77,7 @@ TEST_CASE("compatible: bending column, and twists of 300 and 400 rad/s", "[compa
     CHECK(std::abs(bend.energy_change) < 1e-2);
     for (const char* rate : {"300", "400"})
       for (const char* alpha : {"2", "8"}) {
-        const Outcome twist =
+        const Ending twist =
             outcome_of(std::string("twisting-column-") + rate + ".toml",
                        {set, "body.layout=node", "body.particles=[5,5,25]", "method.gradient=compatible",
                         "method.momentum=adjoint", "method.integrator=verlet", "jst.eta4=0",
@@ -92,7 +92,7 @@ TEST_CASE("compatible: bending column, and twists of 300 and 400 rad/s", "[compa
 TEST_CASE("compatible: column pulled to 533 %", "[compatible][long]") {
   for (const char* poisson : {"0.45", "0.495"})
     for (const char* jitter : {"0", "0.2"}) {
-      const Outcome o =
+      const Ending o =
           outcome_of("pulling-column-compatible.toml",
                      {std::string("body.jitter=") + jitter, std::string("material.poisson=") + poisson});
       CHECK(o.completed);

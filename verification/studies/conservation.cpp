@@ -31,7 +31,7 @@ struct FreeBody {
   double time = 0;  ///< [s]; 0: twenty steps
 };
 
-struct Outcome {
+struct Ending {
   BudgetSums sums;
   double linear_scale, angular_scale, energy;  ///< sum m |v|, sum m |x| |v|, total energy at the end
   double angular_change;                       ///< |change of the angular momentum|
@@ -39,7 +39,7 @@ struct Outcome {
 
 /// Runs a free block that is deformed at the start and follows its budget.
 template <int d>
-Outcome follow(const FreeBody& body, const MomentumWeights<d>& weights) {
+Ending follow(const FreeBody& body, const MomentumWeights<d>& weights) {
   Cloud<d> cloud = plumb::testing::block<d>(d == 2 ? 10 : 6, body.layout, body.jitter);
   auto options = plumb::testing::options<d>(Scheme{}, cloud.spacing);
   options.momentum = weights;
@@ -75,7 +75,7 @@ Outcome follow(const FreeBody& body, const MomentumWeights<d>& weights) {
 }
 
 template <int d>
-Outcome follow(const FreeBody& body) {
+Ending follow(const FreeBody& body) {
   return follow<d>(body, momentum_form_named<d>(body.momentum));
 }
 
@@ -94,20 +94,20 @@ std::vector<FreeBody> free_bodies() {
   return all;
 }
 
-double linear_of(const Outcome& o) {
+double linear_of(const Ending& o) {
   return o.sums.part("internal force").linear.norm() / o.linear_scale;
 }
-double angular_of(const Outcome& o) {
+double angular_of(const Ending& o) {
   return o.sums.part("internal force").angular.norm() / o.angular_scale;
 }
-double energy_of(const Outcome& o) {
+double energy_of(const Ending& o) {
   return std::abs(o.sums.part("internal force").energy) / o.energy;
 }
 
 template <int d>
 void require_closed_and_linear() {
   for (const FreeBody& body : free_bodies()) {
-    const Outcome o = follow<d>(body);
+    const Ending o = follow<d>(body);
     INFO(d << "D " << name_of(body));
     CHECK(o.sums.linear_gap < round_off);
     CHECK(o.sums.angular_gap < round_off);
@@ -130,7 +130,7 @@ std::vector<double> angular_changes(const FreeBody& body) {
     FreeBody finer = body;
     finer.cfl *= part;
     finer.time = 5e-3;
-    const Outcome o = follow<d>(finer);
+    const Ending o = follow<d>(finer);
     changes.push_back(o.angular_change / o.angular_scale);
   }
   std::cout << fmt::format("angular momentum, {}D {}: {:.2e}\n", d, name_of(body), fmt::join(changes, ", "));
@@ -173,13 +173,13 @@ TEST_CASE("conservation: spoilt forms fail", "[conservation]") {
   // pairwise symmetry removed: both stresses on this particle's own gradients
   const MomentumWeights<2> lopsided{[](const PairData<2>& pair) -> Vec<2> { return pair.gradient_ij; },
                                     [](const PairData<2>& pair) -> Vec<2> { return pair.gradient_ij; }};
-  const Outcome spoilt = follow<2>(body, lopsided);
+  const Ending spoilt = follow<2>(body, lopsided);
   CHECK(linear_of(spoilt) > 1e3 * round_off);
   // the adjoint form with another table than the one that makes F
   const MomentumWeights<2> other_table{
       [](const PairData<2>& pair) -> Vec<2> { return -pair.volume_j / pair.volume_i * pair.gradient_ji; },
       [](const PairData<2>& pair) -> Vec<2> { return pair.gradient_ij; }};
-  const Outcome mixed = follow<2>(body, other_table);
+  const Ending mixed = follow<2>(body, other_table);
   CHECK(linear_of(mixed) < round_off);        // still pairwise
   CHECK(energy_of(mixed) > 1e3 * round_off);  // no longer the derivative of an energy
   CHECK(mixed.angular_change / mixed.angular_scale > 1e3 * round_off);

@@ -16,14 +16,14 @@ namespace {
 /// Sums of some hundred terms over twenty steps, relative to their size: a hundred times what is seen.
 constexpr double round_off = 1e-12;
 
-struct Outcome {
+struct Ending {
   BudgetSums sums;
   double scale, energy;  ///< sum m |v|, total energy at the end
 };
 
 /// Twenty steps of a block on a wall at x-, deformed and moving along it and towards it.
 template <int d>
-Outcome follow(double jitter, const char* momentum, const char* integrator) {
+Ending follow(double jitter, const char* momentum, const char* integrator) {
   const Cloud<d> cloud = plumb::testing::block<d>(d == 2 ? 10 : 6, Layout::cell, jitter);
   auto options = plumb::testing::options<d>(Scheme{"improved", momentum}, cloud.spacing);
   options.walls = {{0, false}};
@@ -50,7 +50,7 @@ void require_walls_named() {
   for (const double jitter : {0.0, 0.2})
     for (const std::string momentum : {"adjoint", "symmetrised"})
       for (const char* integrator : {"rk3", "verlet"}) {
-        const Outcome o = follow<d>(jitter, momentum.c_str(), integrator);
+        const Ending o = follow<d>(jitter, momentum.c_str(), integrator);
         INFO(d << "D jitter " << jitter << " " << momentum << " " << integrator);
         CHECK(o.sums.linear_gap < round_off);
         CHECK(o.sums.angular_gap < round_off);
