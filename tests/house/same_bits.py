@@ -25,7 +25,7 @@ def scene(name, file, *changes, threads=1):
 
 
 def study(name, file, *changes, command="mms", threads=1, more=()):
-    return name, [command, f"{STUDIES}/{file}.toml", *more, "--threads", str(threads), "--json", "study.json", "--unfinished", ""], [*changes]
+    return name, [command, f"{STUDIES}/{file}.toml", *more, "--threads", str(threads), "--json", "study.json", *([] if command == "operators" else ["--unfinished", ""])], [*changes]
 
 
 CALLS = [

@@ -149,14 +149,14 @@ TEST_F(RunFolder, RowsAndFramesFallOnTheStatedTimesWhateverTheStep) {
 TEST_F(RunFolder, TheBoundOfAContinuedRunIsThatOfItsFirstState) {
   ASSERT_EQ(endless_until("kill -INT $run; wait $run").code, 130);
   Checkpoint c = read_checkpoint(scene_.file("out", "checkpoint.h5"));
-  const double energy = c.initial_energy;
-  c.initial_energy *= 0.25;  // the bound is twice the first energy
-  c.initial_momentum.linear = {10, 0, 0};
-  c.initial_momentum.linear_scale = 40;
-  c.initial_momentum.angular = {0, 0, 3};
-  c.initial_momentum.angular_scale = 12;
+  const double energy = c.record.initial_energy.value();
+  c.record.initial_energy.value() *= 0.25;  // the bound is twice the first energy
+  c.record.initial_momentum.linear = {10, 0, 0};
+  c.record.initial_momentum.linear_scale = 40;
+  c.record.initial_momentum.angular = {0, 0, 3};
+  c.record.initial_momentum.angular_scale = 12;
   // soon over, so that a run that overlooks the bound ends too
-  const std::string end = fmt::format("{:.17g}", c.state.now.time + 60 * c.dt.last);
+  const std::string end = fmt::format("{:.17g}", c.state.now.time + 60 * c.record.dt.last);
   ASSERT_TRUE(c.scene.contains("scene.end_time"));
   c.scene["scene.end_time"] = end;
   write_checkpoint(scene_.file("out", "checkpoint.h5"), c);
