@@ -127,7 +127,8 @@ std::optional<Failure> beyond_energy_bound(Moving<M>& moving, const StepControl&
   if (!control.energy_bound) return std::nullopt;
   const double energy = moving.scheme.energy(moving.state).total();
   if (energy <= (1 + *control.energy_bound) * record.initial_energy.value_or(energy)) return std::nullopt;
-  return Failure{moving.state.time, moving.state.step, Cause::energy_growth, -1, energy, "total energy"};
+  return Failure{moving.state.time, moving.state.step, Cause::energy_growth, std::nullopt, energy,
+                 "total energy"};
 }
 
 inline Failure failure_of(const Trouble& trouble, double time, long step) {

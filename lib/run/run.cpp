@@ -50,7 +50,7 @@ std::optional<Failure> restless(const StepControl& control, const RunResult& res
   return Failure{now.time,
                  now.step,
                  Cause::no_convergence,
-                 -1,
+                 std::nullopt,
                  result.residual.value_or(std::numeric_limits<double>::quiet_NaN()),
                  "residual over the forces of loads and supports"};
 }
@@ -90,7 +90,7 @@ RunResult step_to_the_end(const Steps& steps, const StepControl& control,
     const double allowed = steps.allowed();
     if (!(allowed > control.collapse * record.dt.first)) {
       const Cause cause = std::isfinite(allowed) ? Cause::time_step_collapse : Cause::non_finite;
-      result.failure = Failure{time, step, cause, -1, allowed, "time step"};
+      result.failure = Failure{time, step, cause, std::nullopt, allowed, "time step"};
       break;
     }
     const NextStep next = next_step(control, time, allowed);

@@ -40,8 +40,8 @@ struct Failure {
   double time;  ///< [s]
   long step;
   Cause cause;
-  Index particle;  ///< where it was found; -1 if it belongs to no particle
-  double value;    ///< of the quantity: J, energy ratio, time step [s]
+  std::optional<Index> particle;  ///< where it was found; nothing if it belongs to no particle
+  double value;                   ///< of the quantity: J, energy ratio, time step [s]
   std::string quantity;
 };
 

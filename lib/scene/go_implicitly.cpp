@@ -30,17 +30,23 @@ struct Way {
 
 Failure no_equilibrium(const StaticFailure& failed, const Moment& now) {
   if (failed.cause == "inverted")
-    return {now.time,   now.step, Cause::inverted, failed.particle.particle, failed.particle.determinant,
+    return {now.time,   now.step, Cause::inverted, failed.unsound->particle, failed.unsound->determinant,
             "J = det F"};
   const Cause cause = failed.cause == "non-finite" ? Cause::non_finite : Cause::no_convergence;
   const std::string what = failed.cause == "limit-point" ? "beyond a limit point; residual" : "residual";
-  return {now.time, now.step, cause, -1, failed.residuals.back(), what + " over the forces"};
+  return {now.time, now.step, cause, std::nullopt, failed.residuals.back(), what + " over the forces"};
 }
 
-Failure no_step(const NewtonResult& search, const UnsoundParticle& unsound, const Moment& now) {
+Failure no_step(const NewtonResult& search, const std::optional<UnsoundParticle>& unsound,
+                const Moment& now) {
   if (search.end == NewtonEnd::inverted)
-    return {now.time, now.step, Cause::inverted, unsound.particle, unsound.determinant, "J = det F"};
-  return {now.time, now.step, Cause::no_convergence, -1, search.residuals.back(), "residual over the forces"};
+    return {now.time, now.step, Cause::inverted, unsound->particle, unsound->determinant, "J = det F"};
+  return {now.time,
+          now.step,
+          Cause::no_convergence,
+          std::nullopt,
+          search.residuals.back(),
+          "residual over the forces"};
 }
 
 void refuse_what_it_has_not(const Scene& scene) {

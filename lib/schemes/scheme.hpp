@@ -30,8 +30,8 @@ struct InitialMotion {
 
 /// Where and why a step could not be made.
 struct Trouble {
-  Index particle;        ///< -1: it belongs to no particle
-  std::string quantity;  ///< "determinant of F", "density", "residual" ..
+  std::optional<Index> particle;  ///< nothing: it belongs to no particle
+  std::string quantity;           ///< "determinant of F", "density", "residual" ..
   double value;
 };
 

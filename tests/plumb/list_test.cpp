@@ -79,7 +79,7 @@ TEST(List, NamesWhatTheReadersAcceptAndNothingElse) {
 TEST(List, KnowsEveryKeyThatChoosesFromNames) {
   std::set<std::string> keys, known;
   for (const char* file : {"scene/read_scene", "scene/read_body", "scene/read_parts", "scene/read_method",
-                           "scene/read_material", "dissipation/jst_options"}) {
+                           "scene/read_material", "schemes/tlsph/parts/jst_options"}) {
     std::ifstream in(std::string(PLUMBLINE_SOURCE_DIR "/lib/") + file + ".cpp");
     ASSERT_TRUE(in) << file;
     const std::string text((std::istreambuf_iterator<char>(in)), {});

@@ -101,7 +101,7 @@ TEST(Surroundings, AnInterruptedStudyWaitsInTheCacheOfItsUserAndSaysSo) {
         plumb +
         " oned study --n 40000,80000,160000,320000,640000,1280000,2560000 "
         "--radius-over-dx 4 --threads 1 & run=$!; until ls " +
-        kept + "/*.json >/dev/null 2>&1 || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; kill -" + signal +
+        kept + "/*.kept >/dev/null 2>&1 || ! kill -0 $run 2>/dev/null; do sleep 0.01; done; kill -" + signal +
         " $run; wait $run");
     EXPECT_EQ(ended.code, code) << ended.error;
     EXPECT_NE(ended.error.find("kept in " + kept), std::string::npos) << ended.error;

@@ -218,7 +218,7 @@ template <int d>
 StoredEnergy<d> Element<d>::stored_energy() const {
   struct Asked {
     ElementBody<d> body;
-    UnsoundParticle unsound;
+    std::optional<UnsoundParticle> unsound;
   };
   const auto asked = std::make_shared<Asked>(Asked{body_, {}});
   StoredEnergy<d> made;
@@ -239,8 +239,9 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   };
   made.residual = [asked](const Eigen::VectorXd& u) -> std::optional<Eigen::VectorXd> {
     const Field F = asked->body.gradients(u);
+    asked->unsound.reset();
     if (const auto trouble = asked->body.trouble(F)) {
-      asked->unsound = {trouble->particle, trouble->value};
+      asked->unsound = UnsoundParticle{trouble->particle.value(), trouble->value};
       return std::nullopt;
     }
     return asked->body.residual(u, F);

@@ -41,8 +41,9 @@ class DiscreteEnergy {
   const Cloud<d>& cloud() const { return stored_.cloud; }
   const Elastic& elastic() const { return stored_.elastic; }
   const Slots& slots() const { return stored_.slots; }
-  double round_off() const { return stored_.round_off; }         ///< of E near the reference [J]
-  UnsoundParticle unsound() const { return stored_.unsound(); }  ///< where the last residual had no J > 0
+  double round_off() const { return stored_.round_off; }  ///< of E near the reference [J]
+  /// Where the last residual had no J > 0, if it had.
+  std::optional<UnsoundParticle> unsound() const { return stored_.unsound(); }
   const std::vector<Index>& unknowns() const { return unknowns_; }
 
  private:

@@ -59,14 +59,15 @@ struct EnergyMomentum<d>::Middle {
     return operators.identity + operators.gradient * u;
   }
   /// Minus the internal force of the step [N]; nullopt if J is not positive at its middle or its end.
-  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u, UnsoundParticle& unsound) const {
+  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u,
+                                          std::optional<UnsoundParticle>& unsound) const {
     const Eigen::VectorXd F = gradients(u);
     Eigen::VectorXd P(F.size());
     for (Index q = 0; q < F.size() / (d * d); ++q) {
       const Mat<d> middle = tensor_at<d>(F, q), first = tensor_at<d>(before, q);
       const double J = std::min(middle.determinant(), Mat<d>(2 * middle - first).determinant());
       if (!(J > 0)) {
-        unsound = {q, J};
+        unsound = UnsoundParticle{q, J};
         return std::nullopt;
       }
       const Mat<d> stress = stress_of_step(law, first, middle);
@@ -84,7 +85,7 @@ EnergyMomentum<d>::EnergyMomentum(const StoredEnergy<d>& energy, PointLaw<d> law
       balance_(
           [&] {
             StoredEnergy<d> with_steps = energy;
-            const auto unsound = std::make_shared<UnsoundParticle>();
+            const auto unsound = std::make_shared<std::optional<UnsoundParticle>>();
             with_steps.residual = [middle = middle_, unsound](const Eigen::VectorXd& u) {
               return middle->residual(u, *unsound);
             };

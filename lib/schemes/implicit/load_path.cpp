@@ -25,7 +25,7 @@ std::string cause_of(const NewtonResult& newton) {
 std::string StaticFailure::in_words() const {
   const std::string where = fmt::format("no equilibrium at {:.6g} of the load: ", share);
   if (cause == "inverted")
-    return where + fmt::format("J = {:.3g} at particle {}", particle.determinant, particle.particle);
+    return where + fmt::format("J = {:.3g} at particle {}", unsound->determinant, unsound->particle);
   if (cause == "non-finite") return where + "a force is not a number";
   if (cause == "limit-point")
     return where + "the stiffness is not positive there, as beyond a limit point or where a body buckles";

@@ -15,9 +15,11 @@ def wilson(killed, number, z=1.959964):
 
 
 def folder_of(file):
-    """lib/<room>, and the first folder of the others."""
+    """lib/<room>, lib/schemes/tlsph/<room>, and the first folder of the others."""
     parts = file.split("/")
-    return "/".join(parts[:2]) if parts[0] == "lib" else parts[0]
+    if parts[0] != "lib":
+        return parts[0]
+    return "/".join(parts[:4] if parts[1:3] == ["schemes", "tlsph"] else parts[:2])
 
 
 def equivalents(path):

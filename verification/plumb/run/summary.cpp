@@ -52,7 +52,7 @@ Json failure_json(const std::optional<Failure>& failure) {
   return {{"time", failure->time},
           {"step", failure->step},
           {"cause", name_of(failure->cause)},
-          {"particle", failure->particle < 0 ? Json() : Json(failure->particle)},
+          {"particle", failure->particle ? Json(*failure->particle) : Json()},
           {"quantity", failure->quantity},
           {"value", failure->value}};
 }

@@ -21,12 +21,12 @@ std::optional<Failure> out_of_bounds(const Solid<d>& solid, const State<d>& stat
     const double energy = energy_of(solid, state).total();
     const double round_off = 2 * energy_round_off(solid);  // of this energy and of the initial one
     if (!(energy <= (1 + *control.energy_bound) * *record.initial_energy + round_off))
-      return Failure{state.time, state.step, Cause::energy_growth, -1, energy, "total energy"};
+      return Failure{state.time, state.step, Cause::energy_growth, std::nullopt, energy, "total energy"};
   }
   if (control.hourglass_bound) {
     const double share = hourglass_share(solid, state);
     if (!(share <= *control.hourglass_bound))
-      return Failure{state.time, state.step, Cause::hourglass, -1, share, "hourglass share"};
+      return Failure{state.time, state.step, Cause::hourglass, std::nullopt, share, "hourglass share"};
   }
   return std::nullopt;
 }

@@ -54,7 +54,7 @@ TEST(RunBounds, EnergyMayGrowByTheBoundAndNoMore) {
   EXPECT_EQ(failure->cause, Cause::energy_growth);
   EXPECT_EQ(failure->step, 20);
   EXPECT_NEAR(failure->time, 20e-4, 1e-15);
-  EXPECT_EQ(failure->particle, -1);
+  EXPECT_FALSE(failure->particle);
   Body body;
   double mass = 0;
   for (const double V : body.solid.cloud.V) mass += 1100 * V;
