@@ -12,21 +12,36 @@ constexpr int most_iterations = 60;
 constexpr int most_halvings = 12;
 
 template <int d>
+double volume_of(const Cloud<d>& cloud) {
+  double sum = 0;
+  for (const double V : cloud.V) sum += V;
+  return sum;
+}
+
+template <int d>
 Mat<d> tensor_at(const Eigen::VectorXd& all, Index place) {
   Mat<d> A;
   for (int n = 0; n < d * d; ++n) A(n / d, n % d) = all[d * d * place + n];
   return A;
 }
 
+// Below this a step changes W by less than its round-off; the correction is of third order.
+constexpr double no_change = 1e-8;
+
+/// C_1 - C_0.
+template <int d>
+Mat<d> change_of_stretch(const Mat<d>& before, const Mat<d>& middle) {
+  const Mat<d> after = 2 * middle - before;
+  return after.transpose() * after - before.transpose() * before;
+}
+
 /// P = F_m S with S_m of the middle and what makes S : dC/2 the change of W. THEORY (15.13).
 template <int d>
 Mat<d> stress_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle) {
-  // below this a step changes W by less than its round-off; the correction is of third order
-  constexpr double no_change = 1e-8;
   const Mat<d> after = 2 * middle - before;
   const Mat<d> twice = middle.inverse() * law.first_piola(middle);
   Mat<d> S = 0.5 * (twice + twice.transpose());
-  const Mat<d> change = after.transpose() * after - before.transpose() * before;
+  const Mat<d> change = change_of_stretch<d>(before, middle);
   const double size = change.squaredNorm();
   if (size > no_change * no_change)
     S += (2 * (law.energy(after) - law.energy(before)) - S.cwiseProduct(change).sum()) / size * change;
@@ -53,10 +68,22 @@ template <int d>
 struct EnergyMomentum<d>::Middle {
   LinearOperators operators;
   PointLaw<d> law;
-  Eigen::VectorXd before;  ///< F
+  double energy_round_off;  ///< of W near the reference [Pa]
+  Eigen::VectorXd before;   ///< F
 
   Eigen::VectorXd gradients(const Eigen::VectorXd& u) const {
     return operators.identity + operators.gradient * u;
+  }
+  /// What round-off of W leaves of the force, by way of the bracket of (15.13) [N].
+  double residual_round_off(const Eigen::VectorXd& u) const {
+    const Eigen::VectorXd F = gradients(u);
+    Eigen::VectorXd P(F.size());
+    for (Index q = 0; q < F.size() / (d * d); ++q) {
+      const double change = change_of_stretch<d>(tensor_at<d>(before, q), tensor_at<d>(F, q)).norm();
+      const double error = change > no_change ? 2 * energy_round_off / change : 0;
+      P.segment(d * d * q, d * d) = error * F.segment(d * d * q, d * d).cwiseAbs();
+    }
+    return (operators.force.cwiseAbs() * P).norm();
   }
   /// Minus the internal force of the step [N]; nullopt if J is not positive at its middle or its end.
   std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u,
@@ -81,7 +108,8 @@ template <int d>
 EnergyMomentum<d>::EnergyMomentum(const StoredEnergy<d>& energy, PointLaw<d> law, const Actions<d>& actions,
                                   double tolerance, const BodyMotion& from)
     : tolerance_(tolerance),
-      middle_(std::make_shared<Middle>(Middle{energy.operators, std::move(law), {}})),
+      middle_(std::make_shared<Middle>(
+          Middle{energy.operators, std::move(law), energy.round_off / volume_of(energy.cloud), {}})),
       balance_(
           [&] {
             StoredEnergy<d> with_steps = energy;
@@ -120,7 +148,9 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
     result.end = NewtonEnd::not_a_number;
     if (!r.allFinite()) return result;
     balance_.linearise_at(middle);
-    if (r.norm() <= tolerance_ * scale || r.norm() <= balance_.energy().residual_round_off(middle)) {
+    const double round_off =
+        balance_.energy().residual_round_off(middle) + middle_->residual_round_off(middle);
+    if (r.norm() <= tolerance_ * scale || r.norm() <= round_off) {
       const Eigen::VectorXd moved = 2 * (middle - u);
       motion = {u + moved, 2 / dt * moved - v, motion.time + dt, motion.step + 1};
       result.end = NewtonEnd::converged;
