@@ -2,7 +2,7 @@
 # `libplumbline-c1` (the shared library for other languages) and `python3-plumbline`.
 #   cmake --workflow --preset package
 # They are built for any x86-64 machine since about 2010 (-march=x86-64-v2): a package does not know where it will run, and a
-# program for one machine's instructions dies on another. The price is the speed of wide vectors (README.md, Limits).
+# program for one machine's instructions dies on another. The price is the speed of wide vectors (verification/README.md, limits).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME plumbline)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

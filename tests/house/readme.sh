@@ -1,5 +1,5 @@
 #!/bin/bash
-# readme.sh SOURCE WORK PLUMB: every `plumb` line of README.md does what it says. The quick ones are run as they stand, in
+# readme.sh SOURCE WORK PLUMB: every `plumb` line of README.md and verification/README.md does what it says. The quick ones are run as they stand, in
 # their order; the long ones (report, studies and scenes of verification/) must at least be subcommands that exist.
 set -euo pipefail
 source=$1 work=$2 plumb=$3
@@ -16,6 +16,6 @@ while read -r line; do
   esac
   [ -s out.txt ] || { echo "prints nothing: $line"; exit 1; }
   seen=$((seen + 1))
-done < <(grep '^plumb ' "$source/README.md")
+done < <(grep -h '^plumb ' "$source/README.md" "$source/verification/README.md")
 [ "$seen" -ge 5 ] || { echo "found $seen examples only"; exit 1; }
 echo "$seen examples"

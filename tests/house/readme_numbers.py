@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""readme_numbers.py SOURCE: what README says in numbers is what is stored: planted faults as score.json counts them, intervals of
+"""readme_numbers.py SOURCE: what README and verification/README say in numbers is what is stored: planted faults as score.json counts them, intervals of
 orders as the table of THEORY has them."""
 import json
 import pathlib
@@ -35,7 +35,7 @@ def intervals(source):
 
 def main():
     source = pathlib.Path(sys.argv[1])
-    text = " ".join((source / "README.md").read_text().split())
+    text = " ".join(" ".join((source / page).read_text() for page in ("README.md", "verification/README.md")).split())
     caught, planted = faults(source)
     by = intervals(source)
     expected = [f"{caught} of {planted} faults planted one at a time",
