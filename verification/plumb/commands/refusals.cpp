@@ -142,8 +142,8 @@ int refusals(const Session& session, const std::string& table) {
   double slowest = 0;
   for (const auto& section : root.sections("bad")) {
     const BadInput bad = read_bad_input(section);
-    const auto [said, cpu_s] = bad.arguments.empty() ? timed_refusal_of_file(bad, with(bad, files))
-                                                     : refusal_of_call(bad, files);
+    const auto [said, cpu_s] =
+        bad.arguments.empty() ? timed_refusal_of_file(bad, with(bad, files)) : refusal_of_call(bad, files);
     const bool as_written = fits(said, bad.message), at_once = cpu_s < longest_s;
     wrong += as_written && at_once ? 0 : 1;
     slowest = std::max(slowest, cpu_s);
