@@ -123,15 +123,6 @@ TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std:
   return out;
 }
 
-std::vector<std::string> notes_on(const Study& study) {
-  std::vector<std::string> notes{
-      fmt::format("method.integrator = \"{}\" is not used here: every integrator is run, each against its "
-                  "own order in time",
-                  study.method.integrator)};
-  if (study.expect) notes.emplace_back("[expect] is not used here: it declares orders in space");
-  return notes;
-}
-
 template <int d>
 TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
@@ -163,7 +154,6 @@ TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting
   std::vector<Judged> judged;
   for (const auto& order : result.orders) judged.push_back({order.verdict});
   result.status = plumb::status_of(judged);
-  result.notes = notes_on(study);
   return result;
 }
 

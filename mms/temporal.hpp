@@ -22,8 +22,7 @@ struct TemporalResult {
   double reference_step;  ///< of RK3 [s]
   double spatial_error;   ///< nodal L2 norm of the reference against the exact solution
   std::vector<TemporalOrder> orders;
-  std::string status;              ///< of plumb::status_of()
-  std::vector<std::string> notes;  ///< what of the study does not enter, and why
+  std::string status;  ///< of plumb::status_of()
 };
 
 /// Whether the level of that number is at the floor of round-off, so that it is shown and not fitted.

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "lib/scene/readers.hpp"
+#include "lib/scene/unused_keys.hpp"
 
 namespace plumb {
 namespace {
@@ -58,7 +59,8 @@ std::optional<Expect> read_expect(const Section& root) {
 }  // namespace
 
 Study parse_study(const std::string& text, const std::string& file_name,
-                  const std::vector<std::string>& overrides, const std::vector<std::string>& solutions) {
+                  const std::vector<std::string>& overrides, const std::vector<std::string>& solutions,
+                  StudyOf use) {
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
   for (const char* name : {"study", "expect", "body", "material"}) root.has(name);
@@ -85,12 +87,17 @@ Study parse_study(const std::string& text, const std::string& file_name,
   refuse_history(root, study.material, study.method);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);
+  study.unused = refuse_unused(root, keys_unused_by(use));
+  if (use == StudyOf::time && study.spacings.size() > 1)
+    head.fail("spacings", fmt::format("{} spacings for a refinement of the time step", study.spacings.size()),
+              "all steps are taken on one cloud",
+              fmt::format("write spacings = [{}]", study.spacings.front()));
   return study;
 }
 
 Study read_study(const std::string& path, const std::vector<std::string>& overrides,
-                 const std::vector<std::string>& solutions) {
-  return parse_study(read_text(path), path, overrides, solutions);
+                 const std::vector<std::string>& solutions, StudyOf use) {
+  return parse_study(read_text(path), path, overrides, solutions, use);
 }
 
 }  // namespace plumb

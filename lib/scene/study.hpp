@@ -15,6 +15,15 @@ struct Expect {
   std::string reason;
 };
 
+/// What a study file is read for. Orders in space use every key of it; the others do not.
+enum class StudyOf {
+  space,        ///< plumb mms: motion on a sequence of spacings
+  cost,         ///< plumb mms --work-precision: the same runs, their errors beside their cost
+  time,         ///< plumb mms --temporal: steps on one cloud
+  equilibrium,  ///< plumb static
+  operators,    ///< plumb operators: the field of one time
+};
+
 /// A convergence study (plumb mms): one manufactured solution on a sequence of spacings, in SI units.
 struct Study {
   std::string name;
@@ -32,18 +41,20 @@ struct Study {
   Body body;                                 ///< without spacing: use with_spacing(body, d)
   MaterialChoice material;
   Method method;
+  std::vector<std::string> unused;  ///< sentences: keys of the file that its use does not look at
 
   int dimension() const { return static_cast<int>(body.size.size()); }
 };
 
 /// Reads and checks a study file. `solutions`: the valid names; empty: not checked here. Overrides as in
-/// read_scene. Throws SceneError.
+/// read_scene. Overrides that `use` does not look at are refused, and so are keys of the file that would make
+/// it lie; the others are in Study::unused. Throws SceneError.
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {},
-                 const std::vector<std::string>& solutions = {});
+                 const std::vector<std::string>& solutions = {}, StudyOf use = StudyOf::space);
 
 /// The same from text; `file_name` is for messages.
 Study parse_study(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides = {},
-                  const std::vector<std::string>& solutions = {});
+                  const std::vector<std::string>& solutions = {}, StudyOf use = StudyOf::space);
 
 }  // namespace plumb

@@ -44,11 +44,8 @@ std::vector<Refinement> broken() {
 }
 
 Job temporal_job() {
-  const std::string file = folder + "swinging_plate_finite_strain.toml";
-  return {
-      "mms-time",
-      {"mms", file, "--temporal", "--set", "study.periods=0.125", "--set", "study.parameters.amplitude=0.05"},
-      {file}};
+  const std::string file = folder + "time_step_plate.toml";
+  return {"mms-time", {"mms", file, "--temporal"}, {file}};
 }
 
 Figure time_figure(const Json& time) {

@@ -51,7 +51,7 @@ CALLS = [
     study("plate-band", "swinging_plate_band", "study.spacings=[0.2,0.1]", "study.periods=0.25"),
     study("vortex", "generalized_vortex", "study.spacings=[0.125,0.0625]", "study.periods=0.05"),
     study("column", "stretched_column", "study.periods=0.05"),
-    study("temporal", "swinging_plate_finite_strain", "study.spacings=[0.2]", "study.periods=0.125", more=["--temporal"]),
+    study("temporal", "time_step_plate", "study.parameters.amplitude=0.01", more=["--temporal"]),
     study("static", "static_plate", "study.spacings=[0.2,0.1]", command="static"),
     study("operators", "operators", "study.spacings=[0.2,0.1]", command="operators"),
 ]

@@ -9,6 +9,7 @@
 #include "lib/convergence/verdict.hpp"
 #include "lib/material/laws.hpp"
 #include "mms/exact_fields.hpp"
+#include "mms/manufactured.hpp"
 #include "plumbline.h"
 
 namespace plumb {
@@ -232,6 +233,41 @@ TEST(CInterface, SeveralThreadsMayAskOneSolution) {
   for (std::thread& thread : threads) thread.join();
   plumb_evaluate(plate.get(), PLUMB_BODY_FORCE, 1, X, 0.001, right);
   for (const auto& value : values) EXPECT_EQ(value[0], right[0]);
+}
+
+/// The catalogue as C sees it, number by number, is the library's; beyond its ends there is nothing.
+TEST(CInterface, NamesTheParametersOfTheLibrary) {
+  const auto& all = mms::solution_list();
+  ASSERT_EQ(plumb_solution_count(), all.size());
+  for (std::size_t at = 0; at < all.size(); ++at) {
+    SCOPED_TRACE(all[at].name);
+    EXPECT_EQ(plumb_solution_name(at), all[at].name);
+    const auto parameters = all[at].parameters.all();
+    ASSERT_EQ(plumb_solution_parameter_count(at), parameters.size());
+    plumb_parameter seen;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      ASSERT_EQ(plumb_solution_parameter(at, k, &seen), PLUMB_OK) << plumb_message();
+      EXPECT_EQ(seen.name, parameters[k].name);
+      EXPECT_EQ(seen.meaning, parameters[k].meaning);
+      EXPECT_EQ(seen.value, parameters[k].value);
+      EXPECT_EQ(seen.least, parameters[k].least);
+      EXPECT_EQ(seen.most, parameters[k].most);
+    }
+    EXPECT_EQ(plumb_solution_parameter(at, parameters.size(), &seen), PLUMB_BAD_INPUT);
+  }
+  plumb_parameter seen;
+  EXPECT_EQ(plumb_solution_parameter(all.size(), 0, &seen), PLUMB_BAD_INPUT);
+  for (std::size_t at = 0; at < plumb_law_count(); ++at) {
+    const auto parameters = parameters_of_law(plumb_law_name(at));
+    SCOPED_TRACE(plumb_law_name(at));
+    ASSERT_EQ(plumb_law_parameter_count(at), parameters.size());
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      ASSERT_EQ(plumb_law_parameter(at, k, &seen), PLUMB_OK) << plumb_message();
+      EXPECT_EQ(seen.name, parameters[k].name);
+      EXPECT_EQ(seen.meaning, parameters[k].meaning);
+    }
+    EXPECT_EQ(plumb_law_parameter(at, parameters.size(), &seen), PLUMB_BAD_INPUT);
+  }
 }
 
 }  // namespace

@@ -76,12 +76,15 @@ struct Steps {
 
 /// The last step is shortened, so the count is rounded up; an end on a step is no further one.
 TEST_F(ValuesOfExplain, StepsAreRoundedUp) {
-  for (const Steps& row : {Steps{"--set method.time_step=1e-4 --set scene.end_time=7.3e-4", 8},
-                           Steps{"--set method.time_step=1e-4 --set scene.end_time=7.9e-4", 8},
-                           Steps{"--set method.time_step=1e-4 --set scene.end_time=7e-4", 7},
-                           Steps{"--set method.time_step=1e-4 --set scene.end_time=0.2e-4", 1},
-                           Steps{"--set method.time_step=1e-4 --set scene.max_steps=5", 5},
-                           Steps{"--set method.time_step=1e-4 --set scene.max_steps=50", 10}}) {
+  for (const Steps& row :
+       {Steps{"--set method.time_step=1e-4 --set scene.end_time=7.3e-4", 8},
+        Steps{"--set method.time_step=1e-4 --set scene.end_time=7.9e-4", 8},
+        Steps{"--set method.time_step=1e-4 --set scene.end_time=7e-4", 7},
+        Steps{"--set method.time_step=1e-4 --set scene.end_time=0.2e-4", 1},
+        Steps{"--set method.time_step=1e-4 --set scene.max_steps=5", 5},
+        Steps{"--set method.time_step=1e-4 --set scene.max_steps=50", 10},
+        // 4 + 4 steps for two intervals, and 3 for the rest of 0.3 ms
+        Steps{"--set method.time_step=1e-4 --set output.every=3.5e-4 --set output.series=true", 11}}) {
     EXPECT_EQ(explained(row.changes)["steps"], row.steps) << row.changes;
     EXPECT_EQ(run(row.changes)["steps"], row.steps) << row.changes;
   }

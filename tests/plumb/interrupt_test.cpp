@@ -70,8 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         std::pair("Levels",
                   "mms " + root + "/verification/studies/swinging_plate.toml --set study.quadrature=nodal"),
-        std::pair("TimeSteps",
-                  "mms --temporal " + plate + " --set study.spacings=[0.2] --set study.periods=0.5"),
+        std::pair("TimeSteps", "mms --temporal " + root +
+                                   "/verification/studies/time_step_plate.toml --set study.periods=0.5"),
         std::pair("WorkPrecision",
                   "mms --work-precision " + plate +
                       " --vary method.integrator=rk3,verlet --set study.spacings=[0.2,0.1,0.05]"),

@@ -38,7 +38,7 @@ const std::vector<std::string> calls{
     "mms @studies/swinging_plate.toml --set study.spacings=[0.5,0.4] --set study.periods=0.1",
     "mms --list",
     "mms --check swinging-plate --points 10",
-    "mms @studies/swinging_plate_finite_strain.toml --temporal --set study.periods=0.02 --set "
+    "mms @studies/time_step_plate.toml --temporal --set study.periods=0.02 --set "
     "study.spacings=[0.5]",
     "mms @studies/swinging_plate.toml --work-precision --repeats 1 --set study.spacings=[0.5,0.4] --set "
     "study.periods=0.1",

@@ -112,6 +112,67 @@ TEST(JudgeParticles, ASlipOfUnitsIsNamed) {
             std::string::npos);
 }
 
+/// What is said of the exact displacement times a factor: a slip of units within 0.01 of a power of ten.
+TEST(JudgeParticles, AFactorHasTheCauseThatItsSizeSuggests) {
+  struct Factor {
+    double factor;
+    const char* cause;
+  };
+  const char *units = "a power of ten: a slip of units", *sign = ": a wrong sign",
+             *other = "an amplitude, a modulus or a load is off by a factor";
+  for (const Factor& row : {Factor{std::pow(10, 2.0095), units},
+                            {std::pow(10, 2.0105), other},
+                            {std::pow(10, 1.9905), units},
+                            {std::pow(10, 1.9895), other},
+                            {1e-3, units},
+                            {2, other},
+                            {-2, sign},
+                            {-1, sign}}) {
+    const Files files([&](const Vec<2>& X, double h) {
+      return Vec<2>(row.factor * (exact(X) + 1e-7 * h * h * wiggle(X)));
+    });
+    const auto said = causes(judge(files, "--expect 2 --json -"));
+    for (const char* cause : {units, sign, other})
+      EXPECT_EQ(said.find(cause) != std::string::npos, cause == row.cause) << row.factor << ": " << said;
+  }
+}
+
+/// Stresses of 4 and of 9 numbers, row by row, with a constant added: its norm over the plate. What has
+/// another number of components is no tensor.
+TEST(JudgeParticles, StressesOfEveryFormHaveTheNormThatWasPutIn) {
+  for (const int side : {2, 3, 1}) {
+    const test::TemporaryFolder folder;
+    std::string call = "cd '" + folder.path().string() + "' && " PLUMB_EXECUTABLE " judge --particles";
+    for (int n = 5; n <= 40; n *= 2) {
+      const std::string name = "level_" + std::to_string(n) + ".csv";
+      call += " " + name;
+      std::ofstream file(folder / name);
+      file << std::setprecision(17) << "x,y,ux,uy";
+      for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j)
+          file << (side == 1 ? ",P1,P2,P3" : ",P" + std::to_string(i + 1) + std::to_string(j + 1));
+      file << '\n';
+      const double h = 2.0 / n;
+      for (int k = 0; k < n * n; ++k) {
+        const Vec<2> X((k / n + 0.5) * h, (k % n + 0.5) * h), u = exact(X) + 1e-3 * h * h * wiggle(X);
+        const Mat<2> P = plate().first_piola(X, instant);
+        file << X[0] << ',' << X[1] << ',' << u[0] << ',' << u[1];
+        if (side == 1) file << ",1,2,3";
+        for (int i = 0; side > 1 && i < side; ++i)
+          for (int j = 0; j < side; ++j)
+            file << ',' << (i < 2 && j < 2 ? P(i, j) + 100 * (1 + 2 * i + j) : 7e9);
+        file << '\n';
+      }
+    }
+    const auto outcome = run_shell(call + " --solution swinging-plate --time 0.002 --expect 2 --json -");
+    const auto level = nlohmann::json::parse(outcome.out)["levels"][0];
+    EXPECT_EQ(level.contains("stress_l2"), side > 1) << side;
+    if (side == 1) continue;
+    const double added = 100 * std::sqrt(1.0 + 4 + 9 + 16);
+    EXPECT_NEAR(level["stress_l2"].get<double>(), added * std::sqrt(4.0), 1e-6 * added) << side;
+  }
+}
+
 TEST(JudgeParticles, ExchangedComponentsAreNamed) {
   const Files files([](const Vec<2>& X, double) { return Vec<2>(exact(X).reverse()); });
   EXPECT_NE(causes(judge(files, "--expect 2 --json -")).find("components are exchanged"), std::string::npos);

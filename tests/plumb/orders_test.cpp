@@ -127,7 +127,7 @@ TEST(Orders, TemporalRefinementMarksTheFloor) {
   ASSERT_LE(outcome.code, 1) << outcome.error;
   const auto result = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(result["units"]["l2"], "m^2");
-  EXPECT_EQ(result["notes"].size(), 2u);  // integrator and [expect]
+  EXPECT_TRUE(result["notes"].empty());
   std::size_t at_floor = 0;
   for (const auto& row : result["rows"])
     at_floor += row["integrator"] == "rk3" && row["status"] == "at-floor" ? 1 : 0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -78,6 +79,36 @@ TEST(Report, SecondCallUsesStoredResults) {
   EXPECT_EQ(nlohmann::json::parse(run_plumb(call).out)["reused"], 0);
   const auto second = nlohmann::json::parse(run_plumb(call).out);
   EXPECT_EQ(second["reused"], second["studies"]);
+}
+
+/// Every number of the JSON, counted again from its rows and from what lies in the folder.
+TEST(Report, JsonCountsWhatItsRowsAndItsFolderHold) {
+  using nlohmann::json;
+  const test::TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const auto result =
+      json::parse(run_plumb("report --quiet --only kernels,account --json - --out " + out).out);
+  EXPECT_EQ(result["page"], (folder / "index.html").string());
+  std::map<std::string, int> all, passed, verdicts;
+  for (const auto& row : result["rows"]) {
+    const bool pass = row["verdict"] == "pass";
+    ++all[row["kind"]];
+    passed[row["kind"]] += pass ? 1 : 0;
+    ++verdicts[row["verdict"]];
+    for (const char* key : {"section", "what", "expected", "measured"})
+      EXPECT_FALSE(row[key].get<std::string>().empty()) << key << ": " << row;
+  }
+  EXPECT_FALSE(all.empty());
+  for (const auto& [kind, count] : result["kinds"].items()) {
+    EXPECT_EQ(count["all"], all[kind]) << kind;
+    EXPECT_EQ(count["pass"], passed[kind]) << kind;
+  }
+  for (const auto& [verdict, count] : result["verdicts"].items())
+    EXPECT_EQ(count, verdicts[verdict]) << verdict;
+  EXPECT_TRUE(result["problems"].empty());
+  EXPECT_GT(result["studies"], 0);
+  EXPECT_EQ(result["reused"], 0);
+  EXPECT_GT(result["cpu_s"].get<double>(), 0);
 }
 
 TEST(Report, UnknownSectionNamesTheNearest) {

@@ -184,8 +184,8 @@ const std::vector<Call> calls{
     {"mms_check_plate", "mms --check swinging-plate --points 10"},
     {"mms_check_cube", "mms --check trigonometric-cube --points 10"},
     {"mms_temporal",
-     "mms @studies/swinging_plate_finite_strain.toml --temporal --set study.periods=0.02 --set "
-     "study.spacings=[0.5]",
+     "mms @studies/time_step_plate.toml --temporal --set study.periods=0.02 --set "
+     "study.spacings=[0.5] --set study.parameters.amplitude=0.01",
      {},
      true},
     {"static", "static @studies/static_plate.toml --set study.spacings=[0.5,0.4,0.25,0.2]", {}, true},

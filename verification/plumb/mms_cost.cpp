@@ -83,7 +83,7 @@ std::vector<mms::Contender> variants_of(const std::vector<std::string>& files,
     for (const auto& choice : combinations(vary)) {
       std::vector<std::string> set = overrides;
       set.insert(set.end(), choice.set.begin(), choice.set.end());
-      const Study study = read_study(file, set, solutions);
+      const Study study = read_study(file, set, solutions, StudyOf::cost);
       std::string label = choice.label.empty() ? study.name : choice.label;
       if (files.size() > 1 && !choice.label.empty()) label = fmt::format("{}: {}", study.name, label);
       variants.push_back({label, study});
@@ -163,7 +163,7 @@ Json json_of(const Study& study, const mms::TemporalResult& result) {
           {"units", {{"l2", unit_of_norm("l2", study.dimension())}}},
           {"rows", rows},
           {"fits", fits},
-          {"notes", result.notes},
+          {"notes", study.unused},
           {"status", result.status}};
 }
 

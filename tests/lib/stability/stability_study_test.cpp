@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "lib/core/error.hpp"
+#include "lib/input/scene_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -54,6 +56,25 @@ TEST_F(StabilityStudyFile, WhatCannotBeUsedIsToldBeforeTheFirstRun) {
   EXPECT_THROW(study("schemes = \"schemes.toml\"\n"), InputError);
   write("schemes.toml", "[variants]\nname = \"misspelt\"\n");
   EXPECT_THROW(study("schemes = \"schemes.toml\"\n"), InputError);
+}
+
+/// In the study and in the list of schemes that it shares with others.
+TEST_F(StabilityStudyFile, KeysThatNothingKnowsAreRefusedInEverySection) {
+  const std::string own = "[[variant]]\nname = \"own\"\nset = [\"method.beta=1.2\"]\n";
+  const auto refusal_of = [&](const std::string& more) -> std::string {
+    try {
+      study("schemes = \"schemes.toml\"\n" + more);
+    } catch (const SceneError& error) {
+      return std::filesystem::path(text_of(error.where())).filename().string() + " " + error.key();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal_of(own), "accepted");
+  EXPECT_EQ(refusal_of("strange = 1\n" + own), "study.toml:7 stability.strange");
+  EXPECT_EQ(refusal_of(own + "strange = 1\n"), "study.toml:10 variant.0.strange");
+  EXPECT_EQ(refusal_of(own + "[strange]\n"), "study.toml:10 strange");
+  write("schemes.toml", "[[variant]]\nname = \"standard\"\nstrange = 1\n");
+  EXPECT_EQ(refusal_of(own), "schemes.toml:3 variant.0.strange");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "lib/convergence/norm_units.hpp"
 #include "lib/convergence/status.hpp"
@@ -72,24 +73,18 @@ auto in_one_sitting(const Session& session, const MmsOptions& options, const std
   return app::in_one_sitting(session, options.sitting, options.studies, choices, work);
 }
 
-/// A study file serves both kinds of refinement, and what it says of the other one is announced. What the
-/// call itself asks for is used or refused.
-void require_used_by_temporal(const std::vector<std::string>& overrides) {
-  for (const std::string& change : overrides) {
-    const std::string key = change.substr(0, change.find('='));
-    if (key == "method.integrator")
-      throw InputError("--temporal with --set " + change,
-                       "every integrator is run, each against its own order in time", "leave it out");
-    if (key.starts_with("expect"))
-      throw InputError("--temporal with --set " + change,
-                       "[expect] declares orders in space, and an integrator declares its own in time",
-                       "leave it out");
-  }
+/// The study that is given, which must be one.
+Study only_study(const MmsOptions& options, StudyOf use, const char* what_it_is) {
+  if (options.studies.size() != 1)
+    throw InputError("several study files", std::string(what_it_is) + " is one",
+                     "Add --work-precision to compare them.");
+  return read_study(options.studies.front(), options.overrides, mms::solution_names(), use);
 }
 
 int temporal(const Session& session, const MmsOptions& options) {
   require_used_by_temporal(options.overrides);
   const Study study = read_study(options.studies.front(), options.overrides, mms::solution_names());
+  const Study study = only_study(options, StudyOf::time, "a refinement of the time step");
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "temporal", [&](Sitting& sitting) {
     return mms::run_temporal(study, told(progress), sitting);
@@ -102,12 +97,18 @@ int temporal(const Session& session, const MmsOptions& options) {
   session.text() << plain_text(table_of(with_units(json["rows"], study.dimension()))) << '\n'
                  << fits_text(lines);
   session.write_csv(json["rows"]);
-  for (const auto& note : result.notes) session.text() << note << '\n';
   session.text() << fmt::format("error in space: l2 {:.4g} {}\nstatus: {}\n", result.spatial_error,
                                 unit_of_norm("l2", study.dimension()), result.status);
   draw(session, temporal_picture(study, result));
   session.write_json(json);
   return exit_code_of(result.status);
+}
+
+/// What the studies say and this command does not look at, once each.
+std::set<std::string> notes_of(const std::vector<mms::Contender>& variants) {
+  std::set<std::string> notes;
+  for (const auto& variant : variants) notes.insert(variant.study.unused.begin(), variant.study.unused.end());
+  return notes;
 }
 
 int work_precision(const Session& session, const MmsOptions& options) {
@@ -117,11 +118,13 @@ int work_precision(const Session& session, const MmsOptions& options) {
     return mms::work_precision(variants, options.repeats, {1e-2, 1e-3, 1e-4}, told(progress), sitting);
   });
   progress.finish();
-  const Json json = json_of(result, options.repeats);
+  Json json = json_of(result, options.repeats);
+  json["notes"] = notes_of(variants);
   session.write_table(json["points"]);
   for (const auto& c : result.cheapest)
     session.text() << fmt::format("relative error {:g}: cheapest {} = {:.4g}, {}\n", c.error, c.measure,
                                   c.cost, result.labels[c.variant]);
+  for (const auto& note : json["notes"]) session.text() << note.get<std::string>() << '\n';
   const auto status = json["status"].get<std::string>();
   session.text() << "status: " << status << '\n';
   draw(session, work_picture(result));
@@ -134,6 +137,7 @@ int study(const Session& session, const MmsOptions& options) {
     throw InputError("several study files", "a refinement study is one",
                      "Add --work-precision to compare them.");
   const Study study = read_study(options.studies.front(), options.overrides, mms::solution_names());
+  const Study study = only_study(options, StudyOf::space, "a refinement study");
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "study", [&](Sitting& sitting) {
     return mms::run_study(study, told(progress), sitting);
@@ -164,7 +168,19 @@ int export_named(const Session& session, const MmsOptions& options) {
   return export_solution(session, asked);
 }
 
+/// Refuses files that what is asked for does not fill.
+void require_no_idle_files(const Session& session, const MmsOptions& options) {
+  const bool draws = options.exported.format.empty() && options.check.empty() && !options.list;
+  if (!draws && !session.plot.empty())
+    throw InputError("--plot beside --list, --check or --export", "it draws the errors of a study",
+                     "Leave it out.");
+  if (!draws && options.check.empty() && !session.csv.empty())
+    throw InputError("--csv beside --list or --export", "it holds the rows of a study or of --check",
+                     "Leave it out; --export csv --out FILE writes a solution.");
+}
+
 int mms_action(const Session& session, const MmsOptions& options) {
+  require_no_idle_files(session, options);
   if (!options.exported.format.empty()) return export_named(session, options);
   const int asked = int(options.list) + int(!options.check.empty()) + int(!options.studies.empty());
   if (asked != 1)
@@ -176,6 +192,28 @@ int mms_action(const Session& session, const MmsOptions& options) {
   if (options.work_precision) return work_precision(session, options);
   if (options.temporal) return temporal(session, options);
   return study(session, options);
+}
+
+void add_export_options(CLI::App& command, ExportOptions& exported) {
+  const auto format =
+      command
+          .add_option(
+              "--export", exported.format,
+              "writes the solution whose name is given, with its loads, as source text, or as a table of "
+              "values")
+          ->check(CLI::IsMember({"c", "fortran", "python", "csv"}));
+  command.add_option("--dimension", exported.solution.dimension, "with --export: 2 or 3")
+      ->check(CLI::IsMember({2, 3}))
+      ->needs(format);
+  command.add_option("--at", exported.points, "with --export csv: a file of points (.csv, .vtp, .vtu, dump)")
+      ->type_name("FILE")
+      ->needs(format);
+  command.add_option("--time", exported.time, "with --export csv: the time, such as \"5 ms\"")
+      ->type_name("TIME")
+      ->needs(format);
+  command.add_option("--out", exported.out, "with --export: a file (default: standard output)")
+      ->type_name("FILE")
+      ->needs(format);
 }
 
 }  // namespace
@@ -190,45 +228,41 @@ void add_mms(CLI::App& program, Session& session) {
                                   [&session, options] { return mms_action(session, *options); });
   command.add_option("study", options->studies, "the study file (.toml); several with --work-precision")
       ->type_name("STUDY ...");
-  command.add_flag("--list", options->list, "the catalogue of solutions with their parameters");
-  command
-      .add_option("--check", options->check, "compares the two derivations of a solution at random points")
-      ->type_name("SOLUTION");
+  const auto list =
+      command.add_flag("--list", options->list, "the catalogue of solutions with their parameters");
+  const auto check = command
+                         .add_option("--check", options->check,
+                                     "compares the two derivations of a solution at random points")
+                         ->type_name("SOLUTION");
   command.add_option("--points", options->points, "number of random points of --check")
-      ->capture_default_str();
-  command.add_option("--seed", options->seed, "seed of --check")->capture_default_str();
-  command.add_flag("--temporal", options->temporal,
-                   "orders of the integrators: the step halved five times on the first cloud of the study");
-  command.add_flag("--work-precision", options->work_precision,
-                   "error against CPU time and work of several methods, with the Pareto front");
+      ->capture_default_str()
+      ->needs(check);
+  command.add_option("--seed", options->seed, "seed of --check")->capture_default_str()->needs(check);
+  const auto temporal =
+      command.add_flag("--temporal", options->temporal,
+                       "orders of the integrators: the step halved five times on the one cloud of the study");
+  const auto cost =
+      command.add_flag("--work-precision", options->work_precision,
+                       "error against CPU time and work of several methods, with the Pareto front");
+  cost->excludes(temporal);
   command
       .add_option("--vary", options->vary,
                   "with --work-precision: values of a key; every combination is a method")
-      ->type_name("section.key=V1,V2,..");
+      ->type_name("section.key=V1,V2,..")
+      ->needs(cost);
   command.add_option("--repeats", options->repeats, "with --work-precision: timed runs after the first")
       ->capture_default_str()
-      ->check(CLI::Range(1, 100));
-  command
-      .add_option(
-          "--export", options->exported.format,
-          "writes the solution whose name is given, with its loads, as source text, or as a table of values")
-      ->check(CLI::IsMember({"c", "fortran", "python", "csv"}));
-  command.add_option("--dimension", options->exported.solution.dimension, "with --export: 2 or 3")
-      ->check(CLI::IsMember({2, 3}));
-  command
-      .add_option("--at", options->exported.points,
-                  "with --export csv: a file of points (.csv, .vtp, .vtu, dump)")
-      ->type_name("FILE");
-  command.add_option("--time", options->exported.time, "with --export csv: the time, such as \"5 ms\"")
-      ->type_name("TIME");
-  command.add_option("--out", options->exported.out, "with --export: a file (default: standard output)")
-      ->type_name("FILE");
+      ->check(CLI::Range(1, 100))
+      ->needs(cost);
+  add_export_options(command, options->exported);
   command
       .add_option("--set", options->overrides,
                   "change one value of the study; with --export a parameter of the solution "
                   "(parameters.amplitude=0.02) or a "
                   "key of [material]; may be repeated")
-      ->type_name("section.key=value");
+      ->type_name("section.key=value")
+      ->excludes(list)
+      ->excludes(check);
   add_sitting_options(command, options->sitting);
   point_to_verdicts(command);
 }

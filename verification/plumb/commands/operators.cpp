@@ -73,7 +73,7 @@ reports::Picture picture_of(const Study& study, const Json& levels, const mms::O
 int operators_action(const Session& session, const OperatorOptions& options) {
   std::vector<std::string> names;
   for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
-  const Study study = read_study(options.study, options.overrides, names);
+  const Study study = read_study(options.study, options.overrides, names, StudyOf::operators);
   Progress progress(study.name, session.progress());
   const mms::OperatorResult result =
       mms::run_operators(study, [&](double done, const std::string& note) { progress.update(done, note); });
@@ -90,7 +90,9 @@ int operators_action(const Session& session, const OperatorOptions& options) {
     fits.push_back(operator_fit_json(fit));
     lines.push_back({fit.name + ", " + fit.part, fit.fit, std::nullopt, fit.verdict});
   }
-  session.text() << fits_text(lines) << "status: " << result.status << '\n';
+  session.text() << fits_text(lines);
+  for (const auto& note : study.unused) session.text() << note << '\n';
+  session.text() << "status: " << result.status << '\n';
   if (!session.plot.empty())
     for (const auto& dropped : reports::save(picture_of(study, levels, result), session.plot))
       session.warn(fmt::format("{}: {} points not drawn, {}", dropped.series, dropped.points, dropped.why));
@@ -98,6 +100,7 @@ int operators_action(const Session& session, const OperatorOptions& options) {
                       {"solution", study.solution},
                       {"levels", levels},
                       {"fits", fits},
+                      {"notes", study.unused},
                       {"status", result.status}});
   return exit_code_of(result.status);
 }

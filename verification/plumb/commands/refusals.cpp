@@ -110,12 +110,13 @@ Refusal timed_refusal_of_file(const BadInput& bad, const std::string& text) {
 }
 
 /// What the program says to a command line, with its exit code if that is not 2.
-Refusal refusal_of_call(const BadInput& bad, const std::string& scene) {
+Refusal refusal_of_call(const BadInput& bad, const std::map<std::string, std::string>& files) {
   namespace fs = std::filesystem;
   std::string name = (fs::temp_directory_path() / "plumbline_XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) throw OutputError("cannot make " + name);
   const fs::path folder = name;
-  replace_file(folder / "scene.toml", scene);
+  for (const auto& [base, text] : files)
+    replace_file(folder / (base + ".toml"), base == bad.base ? with(bad, files) : text);
   // by its name: valgrind does not start what is only called /proc/self/exe
   const auto ended = reports::run::run_program(fs::canonical("/proc/self/exe"), bad.arguments, folder,
                                                folder / "messages.txt");
@@ -135,8 +136,8 @@ int refusals(const Session& session, const std::string& table) {
   double slowest = 0;
   for (const auto& section : root.sections("bad")) {
     const BadInput bad = read_bad_input(section);
-    const auto [said, cpu_s] = bad.arguments.empty() ? timed_refusal_of_file(bad, with(bad, files))
-                                                     : refusal_of_call(bad, files.at("scene"));
+    const auto [said, cpu_s] =
+        bad.arguments.empty() ? timed_refusal_of_file(bad, with(bad, files)) : refusal_of_call(bad, files);
     const bool as_written = fits(said, bad.message), at_once = cpu_s < longest_s;
     wrong += as_written && at_once ? 0 : 1;
     slowest = std::max(slowest, cpu_s);

@@ -14,8 +14,10 @@
 #include "lib/run/checkpoint.hpp"
 #include "lib/scene/loaded_body.hpp"
 #include "lib/scene/read_scene.hpp"
+#include "lib/scene/readers.hpp"
 #include "lib/scene/simulation.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/scene/unused_keys.hpp"
 #include "lib/schemes/implicit/loaded_vibrations.hpp"
 #include "reports/modes.hpp"
 #include "verification/plumb/commands.hpp"
@@ -94,6 +96,16 @@ SavedState saved_state(const Scene& scene, const std::string& at) {
   return simulation.save();
 }
 
+/// The scene, and no setting of this call that has no part in its modes. With `at` "end" the scene is run.
+Scene read_for_modes(const std::string& file, const std::vector<std::string>& overrides,
+                     const std::string& at) {
+  Scene scene = read_scene(file, overrides);
+  if (at == "end") return scene;
+  const TomlValue document = parse_document(read_text(file), file, overrides, scene_alternatives());
+  refuse_unused(Section(document, ""), keys_unused_by_spectrum());
+  return scene;
+}
+
 /// The lowest vibrations about a state of the scene's body.
 template <int d>
 Json loaded_vibrations(const Scene& scene, const std::string& file, int count) {
@@ -134,7 +146,7 @@ int run_loaded(const Session& session, const SpectrumCommand& command) {
   if (!command.over.empty() || command.symbol > 0 || !command.vtk.empty() || !session.plot.empty())
     throw InputError("--at beside --over, --symbol, --vtk or --plot", "it lists the vibrations of one state",
                      "leave the others out");
-  const Scene scene = read_scene(command.file, command.overrides);
+  const Scene scene = read_for_modes(command.file, command.overrides, command.at);
   const Json result = scene.dimension == 2
                           ? loaded_vibrations<2>(scene, command.at, command.options.low_modes)
                           : loaded_vibrations<3>(scene, command.at, command.options.low_modes);
@@ -223,7 +235,7 @@ int run_spectrum(const Session& session, const SpectrumCommand& command) {
   for (const auto& set : sets) {
     auto overrides = command.overrides;
     overrides.insert(overrides.end(), set.begin(), set.end());
-    scenes.push_back(read_scene(command.file, overrides));
+    scenes.push_back(read_for_modes(command.file, overrides, command.at));
   }
   if (command.symbol > 0) return run_symbol(session, sets, scenes, command.symbol);
   Progress progress("spectrum", session.progress());

@@ -44,7 +44,7 @@ Json level_json(const mms::StaticLevel& level) {
 int static_action(const Session& session, const StaticOptions& options) {
   std::vector<std::string> names;
   for (const auto& entry : mms::solution_list()) names.push_back(entry.name);
-  const Study study = read_study(options.study, options.overrides, names);
+  const Study study = read_study(options.study, options.overrides, names, StudyOf::equilibrium);
   Progress progress(study.name, session.progress());
   const auto tell = [&](double done, const std::string& note) { progress.update(done, note); };
   std::vector<std::string> choices{"static"};
@@ -59,6 +59,7 @@ int static_action(const Session& session, const StaticOptions& options) {
   session.text() << plain_text(table_of(with_units(levels, study.dimension()))) << '\n'
                  << text_of(result.fits);
   session.write_csv(levels);
+  for (const auto& note : study.unused) session.text() << note << '\n';
   session.text() << "status: " << result.status << '\n';
   Json units = Json::object();
   for (const mms::NormName& norm : mms::static_norms())
@@ -68,6 +69,7 @@ int static_action(const Session& session, const StaticOptions& options) {
                       {"levels", levels},
                       {"fits", fits},
                       {"units", units},
+                      {"notes", study.unused},
                       {"status", result.status}});
   return exit_code_of(result.status);
 }
