@@ -114,6 +114,10 @@ TEST(Campaign, BadFilesAreRefused) {
     return outcome.error;
   };
   EXPECT_NE(refused("--set 'campaign.command=run @spacing@'").find("placeholder"), std::string::npos);
+  EXPECT_NE(refused("--set 'campaign.prepare=run @spacing@'").find("placeholder"), std::string::npos);
+  EXPECT_NE(refused("--set campaign.template=lammps.in").find("lammps.in: placeholder \"amplitude\""),
+            std::string::npos);
+  EXPECT_NE(refused("--set campaign.template=nowhere.in").find("nowhere.in"), std::string::npos);
   EXPECT_NE(refused("--set campaign.speed=3").find("speed"), std::string::npos);
   EXPECT_NE(refused("--set campaign.result=../x.csv").find("is a path"), std::string::npos);
   EXPECT_NE(refused("--set campaign.cloud=cloud.stl").find("cloud.stl"), std::string::npos);

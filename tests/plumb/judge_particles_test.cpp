@@ -78,6 +78,8 @@ TEST(JudgeParticles, AConvergingCodePasses) {
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.error;
   const auto result = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(result["status"], "pass");
+  EXPECT_TRUE(result["causes"].empty());
+  EXPECT_EQ(causes(judge(files, "--json -")), "");  // nothing declared, nothing wrong
   ASSERT_EQ(result["levels"].size(), 4u);
   for (int level = 0; level < 4; ++level) {
     const auto& row = result["levels"][level];

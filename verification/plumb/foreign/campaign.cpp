@@ -131,7 +131,12 @@ Campaign read_campaign(const std::string& path, const std::vector<std::string>& 
   read_files(head, c);
   head.reject_unknown();
   read_expect(root, c);
-  for (const CampaignRun& run : runs_of(c)) filled(c.command, c, run, path + ": command");
+  const std::string input = c.template_file.empty() ? "" : read_text(c.template_file);
+  for (const CampaignRun& run : runs_of(c)) {  // nothing is run before all placeholders are known
+    filled(c.command, c, run, path + ": command");
+    filled(c.prepare, c, run, path + ": prepare");
+    filled(input, c, run, c.template_file);
+  }
   return c;
 }
 

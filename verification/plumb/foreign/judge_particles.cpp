@@ -84,7 +84,12 @@ nlohmann::ordered_json json_of(const ForeignErrors& level) {
   return json;
 }
 
-std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels) {
+std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels,
+                                   const std::vector<JudgedColumn>& columns) {
+  const bool nothing_to_explain = std::all_of(columns.begin(), columns.end(), [](const JudgedColumn& column) {
+    return column.verdict == "pass" || column.verdict == "asymptotic" || column.verdict == "too-few-levels";
+  });
+  if (nothing_to_explain || levels.empty()) return {};
   const auto finest = std::min_element(levels.begin(), levels.end(),
                                        [](const auto& a, const auto& b) { return a.spacing < b.spacing; });
   // an error that falls is of the discretisation, whatever it looks like
@@ -160,7 +165,7 @@ int judge_particles(const Session& session, const ParticleOptions& options, std:
   tell_columns(session, columns);
   Json rows = Json::array();
   for (const ForeignErrors& level : levels) rows.push_back(json_of(level));
-  const std::vector<std::string> causes = status == "pass" ? std::vector<std::string>{} : causes_of(levels);
+  const std::vector<std::string> causes = causes_of(levels, columns);
   for (const std::string& cause : causes) session.text() << "  " << cause << '\n';
   session.text() << "status: " << status << '\n';
   session.write_json({{"solution", choice.name},
