@@ -109,7 +109,7 @@ void add_particle_options(CLI::App& command, ParticleOptions& options) {
   command
       .add_option("--particles", options.files,
                   "instead of a table, what the program wrote of its points, one file for each level and "
-                  "run: .vtp, .vtu, "
+                  "run: .vtp, .vtu, HDF5, "
                   ".csv or a LAMMPS dump, with a displacement and whatever else it has (velocity, F, P, "
                   "stress, volume)")
       ->type_name("FILE ...");
@@ -127,7 +127,7 @@ void add_particle_options(CLI::App& command, ParticleOptions& options) {
       .add_option("--positions", options.points.positions,
                   "with --particles: whether positions are those of the body at rest or those of now "
                   "(default: current in "
-                  ".vtp and dumps, reference in .vtu and .csv)")
+                  ".vtp and dumps, reference in all others)")
       ->check(CLI::IsMember({"reference", "current"}));
   command
       .add_option("--rest", options.points.rest,
