@@ -226,6 +226,19 @@ class Caller {
   plumb_solution* solution_ = nullptr;
 };
 
+// Found by the test below: a quotient of spacings that overflows.
+TEST(CInterface, ExtrapolatesOverAnyRatioOfSpacings) {
+  const std::array<double, 3> spacings{1e300, 1, 5e-324}, values{3, 1.5, 1};
+  plumb_extrapolation result;
+  ASSERT_EQ(plumb_extrapolate(3, spacings.data(), values.data(), 1.25, nullptr, &result, nullptr, nullptr),
+            PLUMB_OK)
+      << plumb_message();
+  // (e^(p s) - 1)/(1 - e^(-p r)) = 3 with s = ln 1e300 = 690.8, r = -ln 5e-324 = 744.4: p = 1.86e-3
+  EXPECT_STREQ(result.behaviour, "monotone");
+  const double s = 300 * std::log(10.0), r = -std::log(5e-324);
+  EXPECT_NEAR(std::expm1(result.order * s) / -std::expm1(-result.order * r), 3, 1e-9);
+}
+
 TEST(CInterface, AnswersAnyArguments) {
   const char* seconds = std::getenv("PLUMB_FUZZ_SECONDS");
   const double limit = seconds ? std::atof(seconds) : 0;
