@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
+#include <cstring>
 #include <map>
 
 #include "plumbline/core/error.hpp"
@@ -50,6 +51,22 @@ class File {
  private:
   hid_t id_ = -1;
 };
+
+/// Whether the first block fits the file: its end is that of the bytes, and no driver is named. HDF5 1.10
+/// believes what stands there, and takes seconds or memory without end for what does not fit.
+bool first_block_fits(const std::string& bytes) {
+  constexpr std::size_t length = 56;  // of the shorter ones that matter here
+  if (bytes.size() < length) return false;
+  const auto number_at = [&](std::size_t place) {
+    std::uint64_t number = 0;
+    std::memcpy(&number, bytes.data() + place, sizeof number);
+    return number;
+  };
+  const auto version = static_cast<unsigned char>(bytes[8]);
+  if (version == 0)
+    return number_at(24) == 0 && number_at(40) == bytes.size() && number_at(48) == ~std::uint64_t{0};
+  return (version == 2 || version == 3) && number_at(12) == 0 && number_at(28) == bytes.size();
+}
 
 /// A data set of numbers: one for each row, or a vector.
 struct DataSet {
@@ -167,6 +184,7 @@ bool is_hdf5(const std::string& bytes) {
 
 PointFile parse_hdf5(const std::string& bytes, const std::string& file_name) {
   const Quiet quiet;
+  if (!first_block_fits(bytes)) refuse(file_name, "HDF5 cannot open it", "it is damaged or cut off");
   const File file(bytes, file_name);
   constexpr std::size_t packing = 1100;  // zlib packs at most by 1032
   Search search{bytes.size() * packing / sizeof(double), {}};
