@@ -60,7 +60,7 @@ if(TARGET plumb)
   foreach(part scenes material studies stability claims faults bad_inputs.toml)
     if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part})
       install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part} DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
-              COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.json")
+              COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.json" PATTERN "*.csv")
     else()
       install(FILES ${PROJECT_SOURCE_DIR}/verification/${part} DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
               COMPONENT program)

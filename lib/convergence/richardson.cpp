@@ -15,6 +15,12 @@ struct ObservedOrder {
   double order;
 };
 
+/// ln(coarse/fine), of spacings whose quotient is no number too.
+double log_ratio(double coarse, double fine) {
+  const double ratio = coarse / fine;
+  return std::isfinite(ratio) ? std::log(ratio) : std::log(coarse) - std::log(fine);
+}
+
 /// The p with (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p), for fine f1, medium f2, coarse f3. The right
 /// side rises with p; at p -> 0 it is ln(h3/h2)/ln(h2/h1), below which the differences do not shrink.
 ObservedOrder observed_order(const Sample& fine, const Sample& medium, const Sample& coarse) {
@@ -25,7 +31,7 @@ ObservedOrder observed_order(const Sample& fine, const Sample& medium, const Sam
   if (std::abs(near) <= 64 * std::numeric_limits<double>::epsilon() * scale)
     return {Behaviour::converged, nan};
   if (far / near < 0) return {Behaviour::oscillatory, nan};
-  const double r = std::log(medium.spacing / fine.spacing), s = std::log(coarse.spacing / medium.spacing);
+  const double r = log_ratio(medium.spacing, fine.spacing), s = log_ratio(coarse.spacing, medium.spacing);
   const auto mismatch = [&](double p) {
     return std::log(std::expm1(p * s) / -std::expm1(-p * r)) - std::log(far / near);
   };
@@ -41,7 +47,7 @@ ObservedOrder observed_order(const Sample& fine, const Sample& medium, const Sam
 
 /// r^p - 1 for the step from the coarse to the fine grid.
 double gain(const Sample& fine, const Sample& coarse, double order) {
-  return std::expm1(order * std::log(coarse.spacing / fine.spacing));
+  return std::expm1(order * log_ratio(coarse.spacing, fine.spacing));
 }
 
 GridIndex index_of(const Sample& fine, const Sample& coarse, double order, double safety) {

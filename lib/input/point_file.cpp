@@ -80,9 +80,7 @@ void sort_by_id(PointFile& file, const std::string& name) {
 /// Positions out of the columns, for formats that hold them there.
 void take_positions(PointFile& file, const std::string& name) {
   if (!file.positions.empty()) return;
-  const PointColumn* at = nullptr;
-  for (const char* known : {"position", "positions", "points", "coordinates", "coords", "coord", "reference"})
-    if (at == nullptr) at = file.find({known});
+  const PointColumn* at = file.find(position_names());
   if (at == nullptr || at->components > 3 || at->components < 2)
     throw InputError(fmt::format("{} has no positions", name), "they stand in columns x, y and, in 3D, z",
                      fmt::format("its columns are {}", join(file.names())));
@@ -106,6 +104,12 @@ void require_finite(const PointFile& file, const std::string& name) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& position_names() {
+  static const std::vector<std::string> names{"position", "positions", "points",   "coordinates",
+                                              "coords",   "coord",     "reference"};
+  return names;
+}
 
 const PointColumn* PointFile::find(const std::vector<std::string>& wanted) const {
   for (const std::string& name : wanted)
@@ -154,6 +158,7 @@ PointFile parse_point_table(const std::string& text, const std::string& file_nam
 PointFile parse_points(const std::string& bytes, const std::string& file_name) {
   const bool vtk = file_name.ends_with(".vtp") || file_name.ends_with(".vtu");
   PointFile file = vtk                           ? parse_vtk(bytes, file_name)
+                   : is_hdf5(bytes)              ? parse_hdf5(bytes, file_name)
                    : bytes.starts_with("ITEM: ") ? parse_dump(bytes, file_name)
                                                  : parse_point_table(bytes, file_name);
   take_positions(file, file_name);

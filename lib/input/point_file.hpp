@@ -25,8 +25,9 @@ struct PointFile {
   std::vector<std::string> names() const;
 };
 
-/// Reads a table (.csv and all other names), VTK's .vtp or .vtu in any of its encodings, or a LAMMPS dump
-/// (known by its first line). Tables have x, y (and z) in columns of those names, or in the first two or
+/// Reads a table (.csv and all other names), VTK's .vtp or .vtu in any of its encodings, HDF5 with named data
+/// sets, or a LAMMPS dump (the last two known by how they begin). Of HDF5 the group is read that holds
+/// positions; its data sets of as many rows are the columns. Tables have x, y (and z) in columns of those names, or in the first two or
 /// three where there is no heading; neighbouring columns such as ux, uy or F:0 to F:3 become a vector or
 /// tensor. Points are put in the order of their "id" where there is one. Throws InputError with the place for
 /// what cannot be read, is not finite, or stands twice.

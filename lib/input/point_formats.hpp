@@ -9,6 +9,13 @@ namespace plumb {
 PointFile parse_point_table(const std::string& text, const std::string& file_name);
 PointFile parse_dump(const std::string& text, const std::string& file_name);
 PointFile parse_vtk(const std::string& bytes, const std::string& file_name);
+PointFile parse_hdf5(const std::string& bytes, const std::string& file_name);
+
+/// Whether the bytes begin as those of an HDF5 file.
+bool is_hdf5(const std::string& bytes);
+
+/// Names under which positions are known, the first first.
+const std::vector<std::string>& position_names();
 
 /// Makes vectors and tensors of neighbouring columns: "ux", "uy" become "u", "F:0" to "F:8" become "F", "x",
 /// "y" become "position" and "X", "Y" become "reference". One value per name and row.

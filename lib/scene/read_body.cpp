@@ -91,7 +91,7 @@ void at_section(const Section& section, int dimension, Make&& make) {
     if (dimension == 2) make.template operator()<2>();
     if (dimension == 3) make.template operator()<3>();
   } catch (const InputError& error) {
-    section.fail("shape", error.problem(), error.why(), error.suggestion());
+    section.fail(section.has("file") ? "file" : "shape", error.problem(), error.why(), error.suggestion());
   }
 }
 
@@ -112,12 +112,8 @@ void read_box(const Section& section, Body& body, int dimension) {
   if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
 }
 
-/// Shapes other than boxes: origin and size become those of the box around. One that fills it is a box.
-void read_shape(const Section& section, Body& body, int dimension) {
-  if (dimension == 0)
-    section.fail("shape", fmt::format("\"{}\" in a study", body.shape),
-                 "the body of a study is the domain of its solution", "leave it out");
-  body.lengths = read_lengths(section, body.shape, dimension);
+/// Origin and size become those of the box around the shape. One that fills it is a box.
+void take_box(const Section& section, Body& body, int dimension) {
   at_section(section, dimension, [&]<int d>() {
     const Shape<d> shape = shape_named<d>(body.shape, body.lengths);
     const Box<d>& box = shape.box;
@@ -130,6 +126,15 @@ void read_shape(const Section& section, Body& body, int dimension) {
     body.shape = "box";
     body.lengths.clear();
   });
+}
+
+/// Shapes other than boxes.
+void read_shape(const Section& section, Body& body, int dimension) {
+  if (dimension == 0)
+    section.fail("shape", fmt::format("\"{}\" in a study", body.shape),
+                 "the body of a study is the domain of its solution", "leave it out");
+  body.lengths = read_lengths(section, body.shape, dimension);
+  take_box(section, body, dimension);
 }
 
 void resolve_lattice(const Section& section, Body& body, int dimension) {
@@ -171,6 +176,7 @@ Body read_body_of_file(const Section& section, int dimension) {
     read_box(section, body, dimension);
   else if (section.has("origin"))
     section.fail("origin", "without size", "the box is that around the points", "leave it out, or give size");
+  for (const Section& hole : section.sections("hole")) body.holes.push_back(read_hole(hole, dimension));
   read_cloud_file(section, body, dimension);
   section.reject_unknown();
   return body;
@@ -211,9 +217,13 @@ Body with_spacing(Body body, double d) {
 Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
   body.shape = section.choice_or("shape", body.shape, shape_names());
-  if (section.has("file")) return read_body_of_file(section, dimension);
+  const bool surface = section.has("file") && is_surface_file(section.text("file"));
+  if (section.has("file") && !surface) return read_body_of_file(section, dimension);
   body.cloud = section.choice_or("cloud", body.cloud, cloud_names());
-  if (body.shape == "box")
+  if (surface) {
+    read_surface_file(section, body, dimension);
+    take_box(section, body, dimension);
+  } else if (body.shape == "box")
     read_box(section, body, dimension);
   else
     read_shape(section, body, dimension);

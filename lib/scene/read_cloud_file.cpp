@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "lib/geometry/clipped_cells.hpp"
+#include "lib/geometry/cloud_checks.hpp"
 #include "lib/geometry/neighbours.hpp"
 #include "lib/geometry/position_text.hpp"
 #include "lib/input/point_file.hpp"
@@ -17,30 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path as it stands, or from the folder of the scene.
-std::string path_of(const Section& section) {
-  const std::string name = section.text("file");
-  const fs::path beside = fs::path(section.where("file").file).parent_path() / name;
-  return fs::exists(beside) ? beside.string() : name;
-}
-
 void refuse_keys_of_lattices(const Section& section) {
-  for (const char* key : {"layout", "cloud", "jitter", "seed", "particles", "hole"})
+  for (const char* key : {"layout", "cloud", "jitter", "seed", "particles"})
     if (section.has(key))
       section.fail(key, "contradicts file", "the file says where the particles are", "leave one of them out");
 }
 
 /// Positions in metres, `dimension` numbers each.
 std::vector<double> positions_of(const Section& section, const PointFile& file, int dimension) {
-  double metre = 1;
-  if (section.has("unit")) {
-    const std::string unit = section.text("unit");
-    try {
-      metre = parse_quantity("1 " + unit, quantity::length);
-    } catch (const InputError& error) {
-      section.fail("unit", error.problem(), error.why(), error.suggestion());
-    }
-  }
+  const double metre = metres_of_unit(section);
   std::vector<double> points;
   for (std::size_t k = 0; k < file.count; ++k) {
     if (dimension == 2 && file.positions[3 * k + 2] != 0)
@@ -56,8 +42,7 @@ std::vector<double> positions_of(const Section& section, const PointFile& file, 
 std::vector<double> volumes_of(const Section& section, const PointFile& file, int dimension) {
   const PointColumn* column = file.find({"volume", "volumes"});
   if (column == nullptr) return {};
-  const double metre =
-      section.has("unit") ? parse_quantity("1 " + section.text("unit"), quantity::length) : 1;
+  const double metre = metres_of_unit(section);
   std::vector<double> volumes;
   for (std::size_t k = 0; k < file.count; ++k) {
     if (column->components != 1 || !(column->values[k] > 0))
@@ -123,7 +108,36 @@ double checked_spacing(const Section& section, const Body& body) {
   return sum / static_cast<double>(X.size());
 }
 
+/// Refuses a cloud whose Voronoi cells would fill what no particle is near to.
+template <int d>
+void refuse_gaps(const Section& section, const Body& body) {
+  const auto gap = widest_gap<d>(points_of<d>(body), shape_of<d>(body), *body.spacing);
+  if (!gap) return;
+  section.fail(
+      "file",
+      fmt::format(
+          "there is a hole at {}: the nearest particle is {:.3g} m away, where particles are {:.3g} m apart",
+          position_text<d>(gap->at), gap->radius, gap->spacing),
+      "the cells of the particles around would fill it",
+      "describe it by shape or [[body.hole]], give volumes, or add the particles that are missing");
+}
+
 }  // namespace
+
+std::string file_beside_scene(const Section& section) {
+  const std::string name = section.text("file");
+  const fs::path beside = fs::path(section.where("file").file).parent_path() / name;
+  return fs::exists(beside) ? beside.string() : name;
+}
+
+double metres_of_unit(const Section& section) {
+  if (!section.has("unit")) return 1;
+  try {
+    return parse_quantity("1 " + section.text("unit"), quantity::length);
+  } catch (const InputError& error) {
+    section.fail("unit", error.problem(), error.why(), error.suggestion());
+  }
+}
 
 void read_cloud_file(const Section& section, Body& body, int dimension) {
   if (dimension == 0)
@@ -131,7 +145,7 @@ void read_cloud_file(const Section& section, Body& body, int dimension) {
                  "the body of a study is the domain of its solution on a sequence of spacings",
                  "clouds of other programs are judged by plumb campaign and plumb judge --particles");
   refuse_keys_of_lattices(section);
-  body.file = path_of(section);
+  body.file = file_beside_scene(section);
   body.cloud = "file";
   const PointFile file = read_points(body.file);
   if (file.count < 2) section.fail("file", "it holds one point", "a body has more", "");
@@ -141,6 +155,8 @@ void read_cloud_file(const Section& section, Body& body, int dimension) {
   const auto given = section.optional_number("spacing", quantity::length, Sign::positive);
   const double measured =
       dimension == 2 ? checked_spacing<2>(section, body) : checked_spacing<3>(section, body);
+  body.spacing = measured;
+  if (body.volumes.empty()) dimension == 2 ? refuse_gaps<2>(section, body) : refuse_gaps<3>(section, body);
   body.spacing = given.value_or(measured);
   body.particles.clear();
   for (const double length : body.size) body.particles.push_back(std::lround(length / *body.spacing) + 1);
@@ -153,6 +169,7 @@ Cloud<d> cloud_of_file(const Body& body) {
   cloud.X = points_of<d>(body);
   cloud.box = shape.box;
   cloud.spacing = *body.spacing;
+  if (!shape.clip) find_lattice<d>(cloud);
   const Vec<d> high = shape.box.origin + shape.box.size;
   for (Vec<d>& X : cloud.X) X = X.cwiseMax(shape.box.origin).cwiseMin(high);  // beyond a face by a rounding
   cloud.V = !body.volumes.empty() ? body.volumes

@@ -1,12 +1,15 @@
 // The corpus that the fuzzers have found, with the normal compiler: every file is answered, none crashes,
-// none takes a second. Then the files mutated, the same way at every call: a short fuzzing without clang.
+// none takes a second. Then the files mutated, the same way at every call: a short fuzzing without clang,
+// which PLUMB_FUZZ_SECONDS lengthens.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
-#include <random>
 
 #include "places.hpp"
+#include "tests/fuzz/mutator.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -25,51 +28,6 @@ std::vector<std::string> corpus(const std::string& name) {
   return texts;
 }
 
-/// Words of the readers: the quoted lines of words.dict.
-std::vector<std::string> words() {
-  std::vector<std::string> all;
-  std::istringstream lines(test::content_of(PLUMBLINE_SOURCE_DIR "/tests/fuzz/words.dict"));
-  for (std::string line; std::getline(lines, line);)
-    if (line.size() > 2 && line.front() == '"') all.push_back(line.substr(1, line.size() - 2));
-  return all;
-}
-
-/// Changes inputs as a fuzzer would: bytes, ranges, words, and parts of other inputs.
-class Mutator {
- public:
-  std::string mutated(const std::vector<std::string>& inputs, const std::vector<std::string>& known) {
-    std::string text = inputs[below(inputs.size())];
-    for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
-      const std::size_t at = below(text.size() + 1),
-                        length = below(std::min<std::size_t>(text.size() - at, 32) + 1);
-      switch (below(5)) {
-        case 0:
-          text.insert(at, 1, static_cast<char>(below(256)));
-          break;
-        case 1:
-          text.erase(at, length);
-          break;
-        case 2:
-          text.insert(at, text.substr(at, length));
-          break;
-        case 3:
-          text.replace(at, length, known[below(known.size())]);
-          break;
-        default: {
-          const std::string& other = inputs[below(inputs.size())];
-          text.replace(at, length, other.substr(below(other.size() + 1), length));
-        }
-      }
-    }
-    return text;
-  }
-
- private:
-  /// Not std::uniform_int_distribution, whose numbers differ between libraries.
-  std::size_t below(std::size_t bound) { return random_() % bound; }
-  std::mt19937_64 random_{20261125};
-};
-
 /// CPU time rather than the clock's: other tests run beside this one.
 template <class Target>
 void expect_answer(Target target, const std::string& bytes) {
@@ -80,13 +38,21 @@ void expect_answer(Target target, const std::string& bytes) {
 
 template <class Target>
 void replay(const std::string& name, Target target, int mutations) {
-  const auto inputs = corpus(name), known = words();
+  const auto inputs = corpus(name), known = fuzz::known_words();
   ASSERT_FALSE(inputs.empty());
   ASSERT_GT(known.size(), 50u);
   for (const auto& input : inputs) expect_answer(target, input);
-  Mutator mutator;
-  for (int n = 0; n < mutations && !testing::Test::HasFailure(); ++n)
+  fuzz::Mutator mutator;
+  const char* seconds = std::getenv("PLUMB_FUZZ_SECONDS");  // of CPU time, instead of the number
+  const std::clock_t start = std::clock();
+  int n = 0;
+  for (; !testing::Test::HasFailure(); ++n) {
+    if (seconds ? static_cast<double>(std::clock() - start) > std::atof(seconds) * CLOCKS_PER_SEC
+                : n == mutations)
+      break;
     expect_answer(target, mutator.mutated(inputs, known));
+  }
+  if (seconds) std::printf("%s: %d inputs in %s s of CPU time\n", name.c_str(), n, seconds);
 }
 
 TEST(Corpus, Scene) {
@@ -106,6 +72,12 @@ TEST(Corpus, Table) {
 }
 TEST(Corpus, Points) {
   replay("points", fuzz::points, 10000);
+}
+TEST(Corpus, Surface) {
+  replay("surface", fuzz::surface, 10000);
+}
+TEST(Corpus, Hdf5) {
+  replay("hdf5", fuzz::hdf5, 2000);
 }
 TEST(Corpus, Checkpoint) {
   replay("checkpoint", fuzz::checkpoint, 2000);

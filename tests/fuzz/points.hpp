@@ -4,8 +4,11 @@
 #include <string>
 
 #include "lib/core/error.hpp"
+#include "lib/geometry/closed_surface.hpp"
+#include "lib/geometry/flat_outlines.hpp"
 #include "lib/input/number_table.hpp"
 #include "lib/input/point_file.hpp"
+#include "lib/input/stl.hpp"
 
 /// What may be fed with any bytes: each function reads them as the program would. InputError is the one right
 /// answer to bytes that cannot be used; anything else that is thrown, and anything accepted that breaks its
@@ -36,10 +39,8 @@ inline void table(const std::string& bytes) {
   }
 }
 
-/// The first byte chooses the format: VTK by name, else what the bytes say.
-inline void points(const std::string& bytes) {
-  const bool vtk = !bytes.empty() && bytes[0] == '<';
-  const PointFile file = parse_points(bytes, vtk ? "file.vtu" : "file.csv");
+/// What was read of points is whole.
+inline void whole(const PointFile& file) {
   promise(file.count > 0 && file.positions.size() == 3 * file.count, "positions");
   for (const double value : file.positions) promise(std::isfinite(value), "position");
   for (const PointColumn& column : file.columns) {
@@ -47,6 +48,37 @@ inline void points(const std::string& bytes) {
             "length of a column");
     for (const double value : column.values) promise(std::isfinite(value), "value");
   }
+}
+
+/// The first byte chooses the format: VTK by name, else what the bytes say.
+inline void points(const std::string& bytes) {
+  const bool vtk = !bytes.empty() && bytes[0] == '<';
+  whole(parse_points(bytes, vtk ? "file.vtu" : "file.csv"));
+}
+
+/// An STL file as the surface of a body, and as the outline of one.
+inline void surface(const std::string& bytes) {
+  const std::vector<Triangle> triangles = parse_stl(bytes, "file.stl");
+  promise(!triangles.empty(), "no triangles");
+  std::vector<double> corners;
+  for (const Triangle& triangle : triangles)
+    for (const Vec<3>& corner : triangle) {
+      promise(corner.allFinite(), "corner");
+      corners.insert(corners.end(), corner.begin(), corner.end());
+    }
+  feed(
+      [&](const std::string&) {
+        for (const auto& outline : flat_outlines(triangles)) promise(outline.size() > 2, "outline");
+      },
+      "");
+  TriangleMesh mesh = mesh_of_corners(corners);
+  require_closed(mesh);
+  const ClosedSurface closed(mesh);
+  const Box<3> box = closed.box();
+  promise((box.size.array() > 0).all(), "size of the box");
+  if (closed.fills_its_box()) return;
+  const double middle = closed.distance(box.origin + 0.5 * box.size);
+  promise(!std::isnan(middle), "distance");
 }
 
 }  // namespace plumb::fuzz

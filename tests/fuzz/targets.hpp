@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lib/input/expression.hpp"
+#include "lib/output/hdf5_image.hpp"
 #include "lib/output/sealed.hpp"
 #include "lib/run/checkpoint.hpp"
 #include "lib/scene/read_scene.hpp"
@@ -120,9 +121,8 @@ inline const std::string& whole_checkpoint() {
   return whole;
 }
 
-/// The whole checkpoint with bytes exchanged: three of the input say where and for what.
-inline std::string patched(const std::string& bytes) {
-  std::string file = whole_checkpoint();
+/// The file with bytes exchanged: three of the input say where and for what.
+inline std::string patched(const std::string& bytes, std::string file) {
   for (std::size_t n = 0; n + 2 < bytes.size(); n += 3) {
     const auto at = static_cast<unsigned char>(bytes[n]) * 256U + static_cast<unsigned char>(bytes[n + 1]);
     file[at % file.size()] = bytes[n + 2];
@@ -130,12 +130,25 @@ inline std::string patched(const std::string& bytes) {
   return file;
 }
 
+/// An HDF5 file of points: as it is, or, where it begins with another byte, a whole one of three points with
+/// bytes exchanged as the input says.
+inline void hdf5(const std::string& bytes) {
+  static const std::string three = [] {
+    Hdf5Image image;
+    image.write("position", {0, 0, 1, 0, 0, 1}, 2);
+    image.write("displacement", {0.5, 0, 1, 0, 0, 1}, 2);
+    image.write("volume", std::vector<double>{1, 2, 3});
+    return image.bytes();
+  }();
+  whole(parse_points(bytes.starts_with('\x89') ? bytes : patched(bytes, three), "file.h5"));
+}
+
 /// The first byte chooses: the file as it is, the rest behind a valid seal, or a whole checkpoint with the
 /// changes that the rest says, so that the readers behind the seal and behind HDF5's first block are met.
 inline void checkpoint(const std::string& bytes) {
   const char way = bytes.empty() ? ' ' : bytes[0];
   const Checkpoint c = checkpoint_of(way == 's'   ? sealed(bytes.substr(1))
-                                     : way == 'p' ? sealed(patched(bytes.substr(1)))
+                                     : way == 'p' ? sealed(patched(bytes.substr(1), whole_checkpoint()))
                                                   : bytes,
                                      "file");
   promise(!c.state.fields.empty() && is_finite(c), "state");

@@ -114,6 +114,15 @@ TEST(Campaign, BadFilesAreRefused) {
     return outcome.error;
   };
   EXPECT_NE(refused("--set 'campaign.command=run @spacing@'").find("placeholder"), std::string::npos);
+  EXPECT_NE(refused("--set 'campaign.prepare=run @spacing@'").find("placeholder"), std::string::npos);
+  EXPECT_NE(refused("--set campaign.template=lammps.in").find("lammps.in: @dt@ without a time step"),
+            std::string::npos);
+  EXPECT_NE(
+      refused("--set campaign.template=lammps.in --set campaign.cfl=0.5").find("lammps.in \"@amplitude@\""),
+      std::string::npos);
+  EXPECT_NE(refused("--set campaign.spacings=[0.5,0.3]").find("does not divide"), std::string::npos);
+  EXPECT_NE(refused("--set campaign.spacings=[0.5,1e-6]").find("cloud of 2e+12 points"), std::string::npos);
+  EXPECT_NE(refused("--set campaign.template=nowhere.in").find("nowhere.in"), std::string::npos);
   EXPECT_NE(refused("--set campaign.speed=3").find("speed"), std::string::npos);
   EXPECT_NE(refused("--set campaign.result=../x.csv").find("is a path"), std::string::npos);
   EXPECT_NE(refused("--set campaign.cloud=cloud.stl").find("cloud.stl"), std::string::npos);

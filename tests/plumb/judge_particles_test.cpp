@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/core/error.hpp"
+#include "lib/input/point_file.hpp"
+#include "lib/output/hdf5_image.hpp"
 #include "mms/exact_fields.hpp"
 #include "places.hpp"
 #include "tests/support/program.hpp"
@@ -78,6 +80,8 @@ TEST(JudgeParticles, AConvergingCodePasses) {
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.error;
   const auto result = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(result["status"], "pass");
+  EXPECT_TRUE(result["causes"].empty());
+  EXPECT_EQ(causes(judge(files, "--json -")), "");  // nothing declared, nothing wrong
   ASSERT_EQ(result["levels"].size(), 4u);
   for (int level = 0; level < 4; ++level) {
     const auto& row = result["levels"][level];
@@ -93,6 +97,33 @@ TEST(JudgeParticles, AConvergingCodePasses) {
     EXPECT_NEAR(std::pow(row["l2_inside"].get<double>(), 2) + std::pow(row["l2_boundary"].get<double>(), 2),
                 std::pow(row["l2"].get<double>(), 2), 1e-15);
   }
+}
+
+// The same numbers in HDF5, one data set for a quantity and one for a vector.
+TEST(JudgeParticles, Hdf5IsJudgedAsTablesAre) {
+  const Files files([](const Vec<2>& X, double h) { return Vec<2>(exact(X) + 1e-3 * h * h * wiggle(X)); });
+  std::string list;
+  for (int level = 0; level < 4; ++level) {
+    const std::string name = "level_" + std::to_string(level);
+    const PointFile points = read_points((files.folder / (name + ".csv")).string());
+    std::vector<double> x, y;
+    for (std::size_t k = 0; k < points.count; ++k) {
+      x.push_back(points.positions[3 * k]);
+      y.push_back(points.positions[3 * k + 1]);
+    }
+    const Hdf5Image image;
+    image.write("x [m]", x);
+    image.write("y [m]", y);
+    image.write("displacement", points.find({"u"})->values, 2);
+    std::ofstream(files.folder / (name + ".h5"), std::ios::binary) << image.bytes();
+    list += " " + name + ".h5";
+  }
+  const auto outcome =
+      run_shell("cd '" + files.folder.path().string() + "' && " PLUMB_EXECUTABLE " judge --particles" + list +
+                " --solution swinging-plate --time 0.002 --expect 2 --json -");
+  EXPECT_EQ(outcome.code, 0) << outcome.error;
+  const auto of_tables = nlohmann::json::parse(judge(files, "--expect 2 --json -").out);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["fits"], of_tables["fits"]);
 }
 
 TEST(JudgeParticles, AWrongTimeLevelIsNamed) {

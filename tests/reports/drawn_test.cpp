@@ -28,6 +28,7 @@ const std::vector<Shown> axes{
     {"number of particles N", {"n"}},
     {"particles", {"n"}},
     {"particle spacing d", {"d"}},
+    {"spacing", {"d"}},
     {"relative error in L₂", {"relative_l2", "error"}},
     {"relative error", {"f_", "div_p_"}},
     {"CPU time per update", {"updates_per_cpu_s"}},
@@ -167,11 +168,12 @@ class Drawn : public InventedReport {
   }
 };
 
-/// Lines that are no numbers of a study: the exact answer, speeds of other codes, and differences of two runs
+/// Lines that are no numbers of a study: the exact answer, speeds and recorded errors of other codes, and differences of two runs
 /// (Drawn.TheWorkOfTheColumnIsThatOfItsTip).
 bool is_computed(const Figure& figure, const Series& series) {
   return series.label == "exact" || figure.id == "column-work" ||
-         (figure.id == "peers" && !series.label.starts_with("Plumbline"));
+         (figure.id == "peers" && !series.label.starts_with("Plumbline")) ||
+         (figure.id == "foreign-codes" && series.label != "invented elements");
 }
 
 TEST_F(Drawn, EveryNumberIsThatOfItsAxisTitleAndName) {

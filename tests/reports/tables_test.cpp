@@ -110,10 +110,11 @@ class Tables : public InventedReport {
     return jobs.contains(next->second.row->job) ? &next->second : nullptr;
   }
 
-  /// Speeds of other codes, and of two threads against one: no number of a study.
+  /// Speeds and recorded orders of other codes, and speeds of two threads against one: no number of a study.
   static bool is_compared(const DataTable& table, std::size_t row) {
     const auto& what = std::get<std::string>(table.rows[row][0]);
     return (table.id == "peers-speeds" && !what.starts_with("Plumbline")) ||
+           (table.id == "foreign-codes-orders" && what != "invented elements") ||
            what.find("against one") != std::string::npos;
   }
 

@@ -107,8 +107,7 @@ int judge_results(const Session& session, const Campaign& campaign, const Campai
   if (!levels.empty()) columns = judged_levels(levels, campaign.norms, campaign.expect);
   tell_columns(session, columns);
   const std::string status = failed ? "fail" : status_of(columns);
-  const std::vector<std::string> causes =
-      status == "pass" || levels.empty() ? std::vector<std::string>{} : causes_of(levels);
+  const std::vector<std::string> causes = causes_of(levels, columns);
   for (const std::string& cause : causes) session.text() << "  " << cause << '\n';
   session.text() << "status: " << status << '\n';
   session.write_csv(rows);

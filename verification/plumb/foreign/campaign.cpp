@@ -131,7 +131,13 @@ Campaign read_campaign(const std::string& path, const std::vector<std::string>& 
   read_files(head, c);
   head.reject_unknown();
   read_expect(root, c);
-  for (const CampaignRun& run : runs_of(c)) filled(c.command, c, run, path + ": command");
+  const std::string input = c.template_file.empty() ? "" : read_text(c.template_file);
+  for (const CampaignRun& run : runs_of(c)) {  // nothing is run before all placeholders and clouds are known
+    if (!c.clouds.empty() || !c.loads.empty()) require_cloud_fits(c.solution, run.spacing);
+    filled(c.command, c, run, path + ": command");
+    filled(c.prepare, c, run, path + ": prepare");
+    filled(input, c, run, c.template_file);
+  }
   return c;
 }
 
@@ -174,8 +180,11 @@ std::string filled(const std::string& text, const Campaign& campaign, const Camp
     const auto found = known.find(name);
     if (found == known.end()) {
       std::vector<std::string> names;
-      for (const auto& entry : known) names.push_back(entry.first);
-      throw unknown_name(where + ": placeholder", name, names);
+      for (const auto& entry : known) names.push_back("@" + entry.first + "@");
+      if (name == "dt" || name == "steps")
+        throw InputError(fmt::format("{}: @{}@ without a time step", where, name), "no step is chosen",
+                         "add cfl = 0.5 or time_step = .. to [campaign]");
+      throw unknown_name("placeholder of " + where, "@" + name + "@", names);
     }
     out += found->second;
     at = close + 1;

@@ -22,6 +22,17 @@ Cloud<d> filling(const mms::Domain<d>& domain, double spacing, Layout layout, do
   return jitter > 0 ? jittered<d>(std::move(cloud), jitter, seed, layout) : cloud;
 }
 
+/// Refuses what does not fit before any run.
+template <int d>
+void require_fit(const mms::Domain<d>& domain, double spacing) {
+  constexpr double most = 1e7;  // points, a kilobyte each as text and in memory
+  const double points = (domain.box.size / spacing).prod();
+  if (points > most)
+    throw InputError(fmt::format("a cloud of {:.3g} points for the spacing {:g} m", points, spacing),
+                     fmt::format("at most {:.0g} are written", most), "use larger spacings");
+  if (domain.shape == mms::Domain<d>::Shape::box) cells_of<d>(domain.box, spacing);
+}
+
 template <int d>
 CampaignCloud cloud_in(const SolutionChoice& choice, double spacing, Layout layout, double jitter,
                        std::uint64_t seed) {
@@ -113,6 +124,13 @@ CampaignCloud campaign_cloud(const SolutionChoice& choice, double spacing, Layou
                              std::uint64_t seed) {
   return choice.dimension == 2 ? cloud_in<2>(choice, spacing, layout, jitter, seed)
                                : cloud_in<3>(choice, spacing, layout, jitter, seed);
+}
+
+void require_cloud_fits(const SolutionChoice& choice, double spacing) {
+  if (choice.dimension == 2)
+    require_fit<2>(choice.fields<2>().domain, spacing);
+  else
+    require_fit<3>(choice.fields<3>().domain, spacing);
 }
 
 void require_cloud_format(const std::string& name) {

@@ -21,6 +21,9 @@ struct CampaignCloud {
 CampaignCloud campaign_cloud(const SolutionChoice& choice, double spacing, Layout layout, double jitter,
                              std::uint64_t seed);
 
+/// Throws InputError for a spacing that does not fit into the domain, or gives more points than are written.
+void require_cloud_fits(const SolutionChoice& choice, double spacing);
+
 /// Throws InputError for a name that ends in none of .csv, .vtp and .data.
 void require_cloud_format(const std::string& name);
 

@@ -84,7 +84,12 @@ nlohmann::ordered_json json_of(const ForeignErrors& level) {
   return json;
 }
 
-std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels) {
+std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels,
+                                   const std::vector<JudgedColumn>& columns) {
+  const bool nothing_to_explain = std::all_of(columns.begin(), columns.end(), [](const JudgedColumn& column) {
+    return column.verdict == "pass" || column.verdict == "asymptotic" || column.verdict == "too-few-levels";
+  });
+  if (nothing_to_explain || levels.empty()) return {};
   const auto finest = std::min_element(levels.begin(), levels.end(),
                                        [](const auto& a, const auto& b) { return a.spacing < b.spacing; });
   // an error that falls is of the discretisation, whatever it looks like
@@ -104,7 +109,7 @@ void add_particle_options(CLI::App& command, ParticleOptions& options) {
   command
       .add_option("--particles", options.files,
                   "instead of a table, what the program wrote of its points, one file for each level and "
-                  "run: .vtp, .vtu, "
+                  "run: .vtp, .vtu, HDF5, "
                   ".csv or a LAMMPS dump, with a displacement and whatever else it has (velocity, F, P, "
                   "stress, volume)")
       ->type_name("FILE ...");
@@ -122,7 +127,7 @@ void add_particle_options(CLI::App& command, ParticleOptions& options) {
       .add_option("--positions", options.points.positions,
                   "with --particles: whether positions are those of the body at rest or those of now "
                   "(default: current in "
-                  ".vtp and dumps, reference in .vtu and .csv)")
+                  ".vtp and dumps, reference in all others)")
       ->check(CLI::IsMember({"reference", "current"}));
   command
       .add_option("--rest", options.points.rest,
@@ -160,7 +165,7 @@ int judge_particles(const Session& session, const ParticleOptions& options, std:
   tell_columns(session, columns);
   Json rows = Json::array();
   for (const ForeignErrors& level : levels) rows.push_back(json_of(level));
-  const std::vector<std::string> causes = status == "pass" ? std::vector<std::string>{} : causes_of(levels);
+  const std::vector<std::string> causes = causes_of(levels, columns);
   for (const std::string& cause : causes) session.text() << "  " << cause << '\n';
   session.text() << "status: " << status << '\n';
   session.write_json({{"solution", choice.name},

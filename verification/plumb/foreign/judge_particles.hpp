@@ -36,9 +36,11 @@ std::vector<JudgedColumn> judged_levels(const std::vector<ForeignErrors>& levels
 /// {"file", "n", "h", "volume", "estimated_volumes", norms .., "worst", "suspicion"}.
 nlohmann::ordered_json json_of(const ForeignErrors& level);
 
-/// Orders inside and at the boundary, and what the error of the finest level looks like; for a study that
-/// does not pass.
-std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels);
+/// Where the error lies, orders inside and at the boundary, and what the error of the finest level looks like
+/// if refinement does not lessen it. Empty where the columns pass, lie on one power law, or are too few to
+/// say.
+std::vector<std::string> causes_of(const std::vector<ForeignErrors>& levels,
+                                   const std::vector<JudgedColumn>& columns);
 
 /// The command.
 int judge_particles(const Session& session, const ParticleOptions& options, std::vector<std::string> norms,
