@@ -82,8 +82,6 @@ Study only_study(const MmsOptions& options, StudyOf use, const char* what_it_is)
 }
 
 int temporal(const Session& session, const MmsOptions& options) {
-  require_used_by_temporal(options.overrides);
-  const Study study = read_study(options.studies.front(), options.overrides, mms::solution_names());
   const Study study = only_study(options, StudyOf::time, "a refinement of the time step");
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "temporal", [&](Sitting& sitting) {
@@ -133,10 +131,6 @@ int work_precision(const Session& session, const MmsOptions& options) {
 }
 
 int study(const Session& session, const MmsOptions& options) {
-  if (options.studies.size() != 1)
-    throw InputError("several study files", "a refinement study is one",
-                     "Add --work-precision to compare them.");
-  const Study study = read_study(options.studies.front(), options.overrides, mms::solution_names());
   const Study study = only_study(options, StudyOf::space, "a refinement study");
   Progress progress(study.name, session.progress());
   const auto result = in_one_sitting(session, options, "study", [&](Sitting& sitting) {
