@@ -126,11 +126,10 @@ Section write(const Results& results) {
       figure(f, "refinement-fixed", "fig6-fixed-cubic", cubic, "Figure 6a, R fixed: X³ + 1", kept, false),
       figure(f, "refinement-fixed", "fig6-fixed-sine", sine, "Figure 6b, R fixed: sin 5X", kept, false)};
   s.tables = {fits(ratio, fixed)};
-  s.notes = {
-      "The paper does not say whether R or R/Δx is kept in Figure 6, so both readings are shown.",
-      "Inside means 2R from both ends. An error of order p on a number of "
-      "particles that does not grow makes the RMSE over all particles of "
-      "order p + 1/2: why 1.5 is expected of an error of order 1 at the ends."};
+  s.notes = {"The paper does not say whether R or R/Δx is kept in Figure 6, so both readings are shown.",
+             "Inside means 2R from both ends. An error of order p on a number of "
+             "particles that does not grow makes the RMSE over all particles of "
+             "order p + 1/2: why 1.5 is expected of an error of order 1 at the ends."};
   return s;
 }
 
