@@ -36,7 +36,7 @@ plumb
 plumb new scene first
 plumb explain first.toml
 plumb run first.toml --set scene.max_steps=20
-plumb list | grep -q bending-column
+plumb list | grep >/dev/null bending-column
 (cd /usr/share/plumbline && plumb explain verification/scenes/swinging-plate.toml >/dev/null)
 test -s /usr/share/man/man1/plumb.1.gz
 bash -c '. /usr/share/bash-completion/completions/plumb; COMP_WORDS=(plumb exp); COMP_CWORD=1; _plumb; [ "${COMPREPLY[*]}" = explain ]'
