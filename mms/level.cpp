@@ -85,6 +85,10 @@ bool wants_nodal(const Study& study) {
   return study.quadrature != "gauss";
 }
 
+Loading loading_of(const Study& study) {
+  return {.body_force = study.force == "finite-strain"};
+}
+
 double end_time(const Study& study) {
   if (study.time) return *study.time;
   return *study.periods *
@@ -161,17 +165,17 @@ NodalValues<d> values_of_body(const Study& study, const Solid<d>& solid, const S
 }
 
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
-                      Sitting& sitting) {
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing,
+                      const Loading& loading, Sitting& sitting) {
   if (has_own_body(study.method.scheme))
-    return run_scheme_level<d>(study, solution, spacing, body_force, sitting);
+    return run_scheme_level<d>(study, solution, spacing, loading, sitting);
   const std::clock_t begin = std::clock();
-  DrivenBody<d> body = driven_body(study, solution, spacing, {.body_force = body_force});
+  DrivenBody<d> body = driven_body(study, solution, spacing, loading);
   TlsphBody<d>& simulation = body.simulation;
   Solid<d>& solid = simulation.solid;
   LevelRun<d> out;
   out.level.n = solid.cloud.size();
-  out.level.d = spacing;
+  out.level.spacing = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
   const Pace<d> pace(sitting, simulation);
@@ -203,20 +207,21 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
   }
   level.nodal = nodal_norms<d>(run.cloud, run.values, exact);
   if (!wants_gauss(study)) return;
-  const Interpolation<d> interpolation{kernel_named<d>(study.method.kernel), study.method.beta * level.d,
-                                       pair_named(study.method.pair), run.walls};
+  const Interpolation<d> interpolation{kernel_named<d>(study.method.kernel),
+                                       study.method.beta * level.spacing, pair_named(study.method.pair),
+                                       run.walls};
   level.gauss = gauss_norms<d>(run.cloud, run.values, exact, interpolation);
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                       \
-  template Manufactured<d> solution_of<d>(const Study&);                                               \
-  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                               \
-  template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);            \
-  template TlsphBody<d> driven_simulation<d>(const Study&, const Manufactured<d>&, double);            \
-  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&); \
-  template NodalValues<d> values_of_body<d>(const Study&, const Solid<d>&, const State<d>&,            \
-                                            const Manufactured<d>&);                                   \
-  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, bool, Sitting&);     \
+#define PLUMBLINE_INSTANTIATE(d)                                                                             \
+  template Manufactured<d> solution_of<d>(const Study&);                                                     \
+  template ExactField<d> exact_field<d>(const Manufactured<d>&, double);                                     \
+  template Surface<d> surface_of<d>(const Study&, const Manufactured<d>&, const Cloud<d>&);                  \
+  template TlsphBody<d> driven_simulation<d>(const Study&, const Manufactured<d>&, double);                  \
+  template DrivenBody<d> driven_body<d>(const Study&, const Manufactured<d>&, double, const Loading&);       \
+  template NodalValues<d> values_of_body<d>(const Study&, const Solid<d>&, const State<d>&,                  \
+                                            const Manufactured<d>&);                                         \
+  template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, const Loading&, Sitting&); \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

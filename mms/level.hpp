@@ -13,9 +13,9 @@ namespace plumb::mms {
 
 /// One run of a refinement study.
 struct StudyLevel {
-  Index n = 0;    ///< particles
-  double d = 0;   ///< spacing [m]
-  double dt = 0;  ///< first time step [s]
+  Index n = 0;         ///< particles
+  double spacing = 0;  ///< [m]
+  double dt = 0;       ///< first time step [s]
   long steps = 0;
   ErrorNorms nodal;                       ///< NaN if the run failed
   std::optional<ErrorNorms> gauss;        ///< by the paper's quadrature, if asked for
@@ -29,7 +29,7 @@ struct StudyLevel {
   template <class Self, class Visit>
   static void members(Self& self, Visit&& visit) {
     visit("n", self.n);
-    visit("d", self.d);
+    visit("d", self.spacing);
     visit("dt", self.dt);
     visit("steps", self.steps);
     visit("nodal", self.nodal);
@@ -106,10 +106,13 @@ template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           const Loading& loading);
 
+/// What drives a body of the study, by its key `force`.
+Loading loading_of(const Study& study);
+
 /// Runs it to the end time, unless the sitting ends; norms are left to measure().
 template <int d>
-LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing, bool body_force,
-                      Sitting& sitting);
+LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, double spacing,
+                      const Loading& loading, Sitting& sitting);
 
 /// The norms of a field against the exact one (NaN for a broken run), and of the exact one itself.
 template <int d>

@@ -143,7 +143,7 @@ OperatorLevel level_of(const Study& study, const Manufactured<d>& solution, doub
                      "Use finer spacings.");
   OperatorLevel level;
   level.n = solid.cloud.size();
-  level.d = spacing;
+  level.spacing = spacing;
   measure_errors<d>(solid, simulation.state, solution, end_time(study), 2 * support,
                     areas_per_volume<d>(study, solution, solid), level);
   level.constraint = constraint_defect<d>(solid, simulation.state, solution.domain);
@@ -155,7 +155,7 @@ OperatorFit fit_of(std::string_view name, std::string_view part, const std::vect
   OperatorFit out{std::string(name), std::string(part), {}, {}};
   std::vector<Level> errors;
   errors.reserve(levels.size());
-  for (const OperatorLevel& level : levels) errors.push_back({level.d, value(level)});
+  for (const OperatorLevel& level : levels) errors.push_back({level.spacing, value(level)});
   out.fit = fit_order(errors);
   out.verdict = name_of(classify(out.fit));
   return out;

@@ -13,8 +13,8 @@ inline constexpr std::array<std::string_view, 2> part_names{"inside", "boundary"
 
 /// Errors on the exact field of one time, without any time step.
 struct OperatorLevel {
-  Index n = 0;   ///< particles
-  double d = 0;  ///< spacing [m]
+  Index n = 0;         ///< particles
+  double spacing = 0;  ///< [m]
   /// error[operator][part]: L2 over the particles of the part (inside with the square of the distance from
   /// its rim as weight), relative to the root mean square of the exact quantity over the body. F: deformation
   /// gradient, relative to F - I; Div P: force per volume without loads, against Div P - P B/V: by THEORY

@@ -15,9 +15,9 @@ namespace {
 /// The solution at the start, and what drives a body along it.
 template <int d>
 SchemeStart<d> start_of(const Study& study, const Manufactured<d>& solution, Cloud<d> cloud,
-                        bool body_force) {
+                        const Loading& loading) {
   const double modulus = solution.density * std::pow(study.material.elastic().wave_speed(), 2);
-  const DriveOptions options{study.body.layout, body_force, study.held_band};
+  const DriveOptions options{study.body.layout, loading.body_force, study.held_band};
   SchemeStart<d> start{{}, actions_of(cloud, modulus, solution, options), {}};
   for (const auto& X : cloud.X) {
     const Motion<d> motion = solution.motion(X, 0);
@@ -44,15 +44,15 @@ NodalValues<d> nodal_values(const Snapshot<d>& shown) {
 
 template <int d>
 LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution, double spacing,
-                             bool body_force, Sitting& sitting) {
+                             const Loading& loading, Sitting& sitting) {
   const std::clock_t begin = std::clock();
   const Scene scene = scene_of_level(study, spacing);
   LevelRun<d> out;
   out.cloud = make_cloud<d>(scene.body);
   Simulation<d> simulation =
-      make_scheme_simulation<d>(scene, start_of<d>(study, solution, out.cloud, body_force));
+      make_scheme_simulation<d>(scene, start_of<d>(study, solution, out.cloud, loading));
   out.level.n = out.cloud.size();
-  out.level.d = spacing;
+  out.level.spacing = spacing;
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
   RunRecord record;
@@ -79,7 +79,9 @@ LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution
 
 template NodalValues<2> nodal_values<2>(const Snapshot<2>&);
 template NodalValues<3> nodal_values<3>(const Snapshot<3>&);
-template LevelRun<2> run_scheme_level<2>(const Study&, const Manufactured<2>&, double, bool, Sitting&);
-template LevelRun<3> run_scheme_level<3>(const Study&, const Manufactured<3>&, double, bool, Sitting&);
+template LevelRun<2> run_scheme_level<2>(const Study&, const Manufactured<2>&, double, const Loading&,
+                                         Sitting&);
+template LevelRun<3> run_scheme_level<3>(const Study&, const Manufactured<3>&, double, const Loading&,
+                                         Sitting&);
 
 }  // namespace plumb::mms

@@ -11,6 +11,6 @@ NodalValues<d> nodal_values(const Snapshot<d>& shown);
 /// run_level() for a study of a scheme other than "tlsph".
 template <int d>
 LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution, double spacing,
-                             bool body_force, Sitting& sitting);
+                             const Loading& loading, Sitting& sitting);
 
 }  // namespace plumb::mms

@@ -122,7 +122,7 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
     level.projection = {simulation.compatible->divergence_defect, simulation.compatible->residual};
   level.setup_s = cpu_now() - start;
   level.n = solid.cloud.size();
-  level.d = spacing;
+  level.spacing = spacing;
   const double time = end_time(study);
   const Exact<d> exact = exact_at(solution, solid.cloud, time);
   const Linearised body = linearise(solid);
@@ -164,12 +164,12 @@ std::vector<StudyFit> fits_of(const Study& study, const std::vector<StaticLevel>
   std::vector<StudyFit> fits;
   for (const NormName& norm : static_norms()) {
     std::vector<Level> errors;
-    for (const StaticLevel& level : levels) errors.push_back({level.d, level.relative(norm.value)});
+    for (const StaticLevel& level : levels) errors.push_back({level.spacing, level.relative(norm.value)});
     fits.push_back(fit_of(norm.name, errors, declared_order(study, norm.name)));
   }
   std::vector<Level> frequency;
   for (const StaticLevel& level : levels)
-    if (level.frequency_error) frequency.push_back({level.d, *level.frequency_error});
+    if (level.frequency_error) frequency.push_back({level.spacing, *level.frequency_error});
   if (frequency.size() == levels.size()) fits.push_back(fit_of("frequency", frequency, std::nullopt));
   return fits;
 }

@@ -22,10 +22,10 @@ struct ProjectionDefects {
 
 /// One level of a static study.
 struct StaticLevel {
-  Index n = 0;       ///< particles
-  double d = 0;      ///< spacing [m]
-  ErrorNorms error;  ///< nodal norms of the error, absolute; no velocity
-  ErrorNorms exact;  ///< the same norms of the exact field
+  Index n = 0;         ///< particles
+  double spacing = 0;  ///< [m]
+  ErrorNorms error;    ///< nodal norms of the error, absolute; no velocity
+  ErrorNorms exact;    ///< the same norms of the exact field
   /// omega_h/omega - 1 of the body's vibration in the shape of the solution; only if the solution needs no
   /// body force, so that it is a vibration.
   std::optional<double> frequency_error;
@@ -37,7 +37,7 @@ struct StaticLevel {
   template <class Self, class Visit>
   static void members(Self& self, Visit&& visit) {
     visit("n", self.n);
-    visit("d", self.d);
+    visit("d", self.spacing);
     visit("error", self.error);
     visit("exact", self.exact);
     visit("failure", self.failure);

@@ -28,7 +28,7 @@ StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector
   out.norm = norm;
   std::vector<Level> errors;
   errors.reserve(levels.size());
-  for (const StudyLevel& level : levels) errors.push_back({level.d, norm_of(level, norm)});
+  for (const StudyLevel& level : levels) errors.push_back({level.spacing, norm_of(level, norm)});
   FitOptions options;
   options.modelling_floor = out.modelling_floor = norm_of(floor, norm);
   options.round_off *= size_of(levels.back(), norm);
@@ -57,8 +57,8 @@ LevelRun<d> modelling_error(const Study& study, const Manufactured<d>& solution,
   LevelRun<d> out = run;
   out.level.failure.reset();
   out.values.assign(run.values.size(), PointValue<d>{});
-  if (study.force == "finite-strain" || run.level.failure) return out;
-  const LevelRun<d> loaded = run_level<d>(study, solution, run.level.d, true, sitting);
+  if (loading_of(study).body_force || run.level.failure) return out;
+  const LevelRun<d> loaded = run_level<d>(study, solution, run.level.spacing, {.body_force = true}, sitting);
   if (!loaded.level.failure) out.values = difference<d>(run.values, loaded.values);
   return out;
 }
@@ -78,7 +78,7 @@ struct MeasuredLevel {
 template <int d>
 MeasuredLevel make_level(const Study& study, const Manufactured<d>& solution, double spacing, bool with_floor,
                          Sitting& sitting) {
-  LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
+  LevelRun<d> run = run_level<d>(study, solution, spacing, loading_of(study), sitting);
   measure<d>(study, exact_field<d>(solution, end_time(study)), run);
   MeasuredLevel made{run.level, {}};
   if (!with_floor) return made;
@@ -92,7 +92,7 @@ MeasuredLevel make_level(const Study& study, const Manufactured<d>& solution, do
 template <int d>
 StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  const bool loaded = study.force == "finite-strain";
+  const bool loaded = loading_of(study).body_force;
   double work = 0;
   for (const double spacing : study.spacings) work += work_of(study, spacing);
   sitting.tell(work, progress, "pair evaluations");
@@ -114,10 +114,10 @@ StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& s
     result.notes.push_back(
         fmt::format("modelling floor (finite against small strain, measured at d = {:g} m): L2 {:.3g}, "
                     "H1 {:.3g}; levels below ten times that are not fitted",
-                    floor.d, floor.nodal.l2, floor.nodal.h1));
+                    floor.spacing, floor.nodal.l2, floor.nodal.h1));
   for (const StudyLevel& level : result.levels)
     if (level.failure)
-      result.notes.push_back(fmt::format("d = {:g} m: unstable, {}", level.d, *level.failure));
+      result.notes.push_back(fmt::format("d = {:g} m: unstable, {}", level.spacing, *level.failure));
   result.status = status_of(result.fits);
   return result;
 }

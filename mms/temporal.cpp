@@ -63,7 +63,7 @@ double work_of(const Study& study, long first_steps, long reference_steps) {
   const long steps = first_steps * ((2L << halvings) - 1);  // 1 + 2 + 4 ..
   double work = work_of("rk3", reference_steps);
   for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) { work += work_of(T::name, steps); });
-  return study.force == "finite-strain" ? work + work_of(printed, steps) : work;
+  return loading_of(study).body_force ? work + work_of(printed, steps) : work;
 }
 
 /// The field after so many steps of the integrator of that name.
@@ -76,7 +76,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   study.method.time_step = end_time(study) / static_cast<double>(steps);
   DrivenBody<d> body =
       driven_body<d>(study, solution, study.spacings.front(),
-                     {.body_force = study.force == "finite-strain", .at_step_start = as_printed});
+                     {.body_force = loading_of(study).body_force, .at_step_start = as_printed});
   TlsphBody<d>& simulation = body.simulation;
   const auto make = [&] {
     const Pace<d> pace(sitting, simulation);
@@ -137,7 +137,7 @@ TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting
   const ExactField<d> exact = exact_field<d>(solution, end),
                       zero = [](const Vec<d>&) { return PointValue<d>{}; };
   TemporalResult result;
-  result.d = study.spacings.front();
+  result.spacing = study.spacings.front();
   result.n = reference.cloud.size();
   result.reference_step = end / static_cast<double>(reference_steps);
   result.spatial_error = nodal_norms<d>(reference.cloud, reference.values, exact).l2;
@@ -150,7 +150,7 @@ TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting
   };
   for_each_type(IntegratorCatalogue{},
                 [&]<class T>(Type<T>) { add(T::name, T::template Stepper<d>::order); });
-  if (study.force == "finite-strain") add(printed, 1);
+  if (loading_of(study).body_force) add(printed, 1);
   std::vector<Judged> judged;
   for (const auto& order : result.orders) judged.push_back({order.verdict});
   result.status = plumb::status_of(judged);

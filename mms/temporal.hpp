@@ -17,7 +17,7 @@ struct TemporalOrder {
 };
 
 struct TemporalResult {
-  double d;               ///< spacing of the cloud [m]: the study's first
+  double spacing;         ///< of the cloud [m]: the study's first
   Index n;                ///< particles
   double reference_step;  ///< of RK3 [s]
   double spatial_error;   ///< nodal L2 norm of the reference against the exact solution

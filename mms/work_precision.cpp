@@ -29,7 +29,7 @@ struct TimedRun {
 template <int d>
 StudyLevel run_of(const Study& study, double spacing, bool warm_up, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
-  LevelRun<d> run = run_level<d>(study, solution, spacing, study.force == "finite-strain", sitting);
+  LevelRun<d> run = run_level<d>(study, solution, spacing, loading_of(study), sitting);
   if (warm_up) measure<d>(study, exact_field<d>(solution, end_time(study)), run);
   return run.level;
 }
@@ -68,11 +68,12 @@ void count(const TimedRun& run, WorkPoint& point, bool warm_up) {
 
 void run_once(const Contender& variant, int turn, WorkPoint& point, Sitting& sitting) {
   const auto make = [&] {
-    return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.d, turn == 0, sitting)
-                                          : make_run<3>(variant.study, point.d, turn == 0, sitting);
+    return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.spacing, turn == 0, sitting)
+                                          : make_run<3>(variant.study, point.spacing, turn == 0, sitting);
   };
-  const auto run = sitting.value<TimedRun>(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.d),
-                                           make, work_of(variant.study, point.d));
+  const auto run =
+      sitting.value<TimedRun>(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.spacing), make,
+                              work_of(variant.study, point.spacing));
   count(run, point, turn == 0);
 }
 
@@ -143,7 +144,7 @@ WorkPrecision work_precision(const std::vector<Contender>& variants, int repeats
     for (const double d : variants[v].study.spacings) {
       WorkPoint point;
       point.variant = v;
-      point.d = d;
+      point.spacing = d;
       result.points.push_back(point);
       work += turns * work_of(variants[v].study, d);
     }

@@ -19,7 +19,7 @@ struct Contender {
 /// One level of one variant.
 struct WorkPoint {
   std::size_t variant;
-  double d = 0;                        ///< spacing [m]
+  double spacing = 0;                  ///< [m]
   double error = 0;                    ///< nodal L2 norm over that of the exact field; NaN if the run failed
   double cpu_s = 0, cpu_spread_s = 0;  ///< least of the repeats, and how far the slowest was above it
   double wall_s = 0;                   ///< least of the repeats

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/actions/boundary_force.hpp"
 #include "lib/measures/measures.hpp"
 #include "lib/particles/snapshot.hpp"
 #include "lib/run/run.hpp"
@@ -30,13 +31,6 @@ struct Counts {
   Index most_neighbours = 0;  ///< of one particle
   Work work;
   double bytes_per_update = 0;  ///< THEORY (10.8); 0: not known
-};
-
-/// The force of the supports of one boundary on the body [N] (per metre of thickness in 2D).
-template <int d>
-struct BoundaryForce {
-  std::string boundary;
-  Vec<d> force;
 };
 
 /// One array of a simulation, for `plumb explain` and memory figures.

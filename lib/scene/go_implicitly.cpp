@@ -85,12 +85,7 @@ void go_by_loads(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) 
     return no_equilibrium(*failed, now());
   };
   simulation.steps.out_of_bounds = [](const RunRecord&) { return std::optional<Failure>(); };
-  simulation.reactions = [way] {
-    std::vector<BoundaryForce<d>> forces;
-    for (auto& [boundary, force] : way->load_path().reactions(way->body.motion()))
-      forces.push_back({boundary, force});
-    return forces;
-  };
+  simulation.reactions = [way] { return way->load_path().reactions(way->body.motion()); };
   simulation.save = [way, save = simulation.save] {
     SavedState saved = save();
     saved.fields.push_back({"load step", 1, {way->load_path().next_step()}});

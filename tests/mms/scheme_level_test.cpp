@@ -57,7 +57,7 @@ scheme = ")" + scheme + "\"\n",
   Sitting sitting;
   std::vector<double> errors;
   for (const double d : mixed.spacings) {
-    auto run = run_level<2>(mixed, solution, d, true, sitting);
+    auto run = run_level<2>(mixed, solution, d, {.body_force = true}, sitting);
     measure<2>(mixed, exact_field(solution, end_time(mixed)), run);
     ASSERT_FALSE(run.level.failure);
     EXPECT_EQ(run.level.pair_evaluations % run.level.steps, 0);
@@ -66,7 +66,7 @@ scheme = ")" + scheme + "\"\n",
     EXPECT_LT(run.level.nodal.velocity_l2, 0.05 * run.level.exact.velocity_l2);
   }
   EXPECT_LT(errors[1], errors[0] / 2.5);  // halving divides by 2 at first order, by 4 at second
-  EXPECT_THROW(run_level<2>(study("implicit"), solution, 0.2, true, sitting), InputError);
+  EXPECT_THROW(run_level<2>(study("implicit"), solution, 0.2, {.body_force = true}, sitting), InputError);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST(NormValues, OfAMovingPlateAreThoseOfItsField) {
   Sitting sitting;
   for (std::size_t k = 0; k < 2; ++k) {
     const double d = study.spacings[k];
-    const auto run = mms::run_level<2>(study, solution, d, false, sitting);
+    const auto run = mms::run_level<2>(study, solution, d, {.body_force = false}, sitting);
     Norms nodal, nodal_size, gauss, gauss_size;
     for (std::size_t i = 0; i < run.values.size(); ++i) {
       nodal.add(run.values[i], plate.at(run.cloud.X[i]), run.cloud.V[i]);

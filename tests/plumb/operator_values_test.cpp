@@ -38,7 +38,7 @@ TEST_F(OperatorValues, AreThoseOfTheLevels) {
     const json& level = levels[k];
     const mms::OperatorLevel& own = made.levels[k];
     EXPECT_EQ(level["n"], own.n);
-    EXPECT_EQ(level["d"], own.d);
+    EXPECT_EQ(level["d"], own.spacing);
     EXPECT_EQ(level["f_inside"], own.error[0][0]);
     EXPECT_EQ(level["f_boundary"], own.error[0][1]);
     EXPECT_EQ(level["div_p_inside"], own.error[1][0]);

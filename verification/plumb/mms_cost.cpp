@@ -95,7 +95,7 @@ Json json_of(const mms::WorkPrecision& result, int repeats) {
   Json points = Json::array(), cheapest = Json::array();
   for (const auto& p : result.points) {
     Json row{{"method", result.labels[p.variant]},
-             {"d", p.d},
+             {"d", p.spacing},
              {"error", number_or_null(p.error)},
              {"cpu_s", number_or_null(p.cpu_s)},
              {"cpu_spread_s", p.cpu_spread_s},
@@ -156,7 +156,7 @@ Json json_of(const Study& study, const mms::TemporalResult& result) {
                     {"verdict", order.verdict}});
   }
   return {{"study", study.name},
-          {"d", result.d},
+          {"d", result.spacing},
           {"n", result.n},
           {"reference_step", result.reference_step},
           {"spatial_error", result.spatial_error},
@@ -169,7 +169,7 @@ Json json_of(const Study& study, const mms::TemporalResult& result) {
 
 reports::Picture temporal_picture(const Study& study, const mms::TemporalResult& result) {
   reports::Picture picture;
-  picture.title = fmt::format("{}: error of the time steps at d = {:g} m", study.name, result.d);
+  picture.title = fmt::format("{}: error of the time steps at d = {:g} m", study.name, result.spacing);
   picture.x = {"time step", "s", reports::Scale::log};
   picture.y = {"L2 difference to the fine-step run", unit_of_norm("l2", study.dimension()),
                reports::Scale::log};

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json level_json(const Study& study, const mms::StudyLevel& level) {
-  Json row{{"n", level.n}, {"d", level.d}, {"dt", level.dt}, {"steps", level.steps}};
+  Json row{{"n", level.n}, {"d", level.spacing}, {"dt", level.dt}, {"steps", level.steps}};
   for (const std::string& norm : mms::norms_of(study))
     row["relative_" + norm] = mms::norm_of(level, norm) / mms::size_of(level, norm);
   for (const std::string& norm : mms::norms_of(study)) row[norm] = mms::norm_of(level, norm);
@@ -143,7 +143,7 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
     reports::Series series;
     series.label = norm_text(fit.norm);
     for (const auto& level : result.levels) {
-      series.x.push_back(level.d);
+      series.x.push_back(level.spacing);
       series.y.push_back(mms::norm_of(level, fit.norm) / mms::size_of(level, fit.norm));
     }
     if (fit.declared && picture.triangles.empty())

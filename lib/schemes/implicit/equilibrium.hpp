@@ -9,10 +9,10 @@ namespace plumb {
 /// What find_equilibrium() did.
 template <int d>
 struct StaticResult {
-  std::vector<LoadStep> steps;           ///< those that converged
-  int rejected = 0;                      ///< steps that were tried again with half their length
-  std::vector<Reaction<d>> reactions;    ///< at the last equilibrium
-  std::optional<StaticFailure> failure;  ///< nullopt: the end of the path was reached
+  std::vector<LoadStep> steps;              ///< those that converged
+  int rejected = 0;                         ///< steps that were tried again with half their length
+  std::vector<BoundaryForce<d>> reactions;  ///< at the last equilibrium
+  std::optional<StaticFailure> failure;     ///< nullopt: the end of the path was reached
   bool completed() const { return !failure; }
 };
 

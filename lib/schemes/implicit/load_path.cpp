@@ -78,10 +78,10 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, BodyMotion& motion,
 }
 
 template <int d>
-std::vector<Reaction<d>> LoadPath<d>::reactions(const BodyMotion& equilibrium) {
+std::vector<BoundaryForce<d>> LoadPath<d>::reactions(const BodyMotion& equilibrium) {
   balance_.move_to(at(equilibrium.time / end_time_));
   const auto residual = balance_.residual(equilibrium.u);
-  std::vector<Reaction<d>> reactions;
+  std::vector<BoundaryForce<d>> reactions;
   if (!residual) return reactions;
   for (const Held<d>& held : actions_.held) reactions.push_back({held.name, Vec<d>::Zero()});
   Eigen::VectorXd left = *residual;  // of a component that two boundaries hold the later one has the force

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/actions/boundary_force.hpp"
 #include "lib/schemes/implicit/body_motion.hpp"
 #include "lib/schemes/implicit/implicit_options.hpp"
 #include "lib/schemes/implicit/newton.hpp"
@@ -24,13 +25,6 @@ struct StaticFailure {
   std::vector<double> residuals;           ///< of the last search, relative to the forces
   /// Says it in a sentence.
   std::string in_words() const;
-};
-
-/// The force of the supports of one boundary on the body [N] (per metre of thickness in 2D).
-template <int d>
-struct Reaction {
-  std::string boundary;
-  Vec<d> force;
 };
 
 /// Called at every equilibrium on the way, with its displacements and its time.
@@ -56,7 +50,7 @@ class LoadPath {
   void set_next_step(double dt) { length_ = dt / end_time_; }  ///< goes on as an earlier path would have
   int rejected() const { return rejected_; }  ///< steps that were tried again with half their length
   /// Returns what the supports do to the body in an equilibrium, boundary by boundary.
-  std::vector<Reaction<d>> reactions(const BodyMotion& equilibrium);
+  std::vector<BoundaryForce<d>> reactions(const BodyMotion& equilibrium);
 
  private:
   PathPoint at(double share) const { return {share * end_time_, share}; }

@@ -32,7 +32,7 @@ std::string key_of(std::string_view name, std::string_view part) {
 }
 
 Json level_json(const mms::OperatorLevel& level) {
-  Json row{{"n", level.n}, {"d", level.d}};
+  Json row{{"n", level.n}, {"d", level.spacing}};
   for (std::size_t k = 0; k < mms::operator_names.size(); ++k)
     for (std::size_t part = 0; part < mms::part_names.size(); ++part)
       row[key_of(mms::operator_names[k], mms::part_names[part])] = level.error[k][part];

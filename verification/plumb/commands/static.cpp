@@ -26,7 +26,7 @@ struct StaticOptions {
 };
 
 Json level_json(const mms::StaticLevel& level) {
-  Json row{{"n", level.n}, {"d", level.d}};
+  Json row{{"n", level.n}, {"d", level.spacing}};
   for (const mms::NormName& norm : mms::static_norms())
     row[fmt::format("relative_{}", norm.name)] = level.relative(norm.value);
   for (const mms::NormName& norm : mms::static_norms()) row[std::string(norm.name)] = level.error.*norm.value;
