@@ -5,15 +5,18 @@
 
 #include "lib/material/point.hpp"
 #include "lib/scene/simulation.hpp"
+#include "lib/schemes/tlsph/boundary/external_work.hpp"
 #include "lib/schemes/tlsph/boundary/open_forces.hpp"
 #include "lib/schemes/tlsph/boundary/relaxation.hpp"
-#include "lib/schemes/tlsph/boundary/support_work.hpp"
 #include "lib/schemes/tlsph/measures/budget_file.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/run/traffic.hpp"
 
 namespace plumb {
 namespace {
+
+/// Begins the names of fields with the work of actions, followed by the forces that count for the next step, too.
+const std::string work_field = "work of ";
 
 /// A body with what follows it through a run. It lives as long as the functions of the simulation.
 template <int d>
@@ -24,8 +27,9 @@ struct Followed {
   std::optional<Relaxation<d>> relaxation;
   std::optional<double> residual;  ///< of the last step, if it was looked at
   std::optional<BudgetFile<d>> budget;
-  std::optional<SupportWork<d>> support_work;
-  double support_work_before = 0, support_power_before = 0;  ///< of an earlier part of the run [J], [W]
+  std::optional<ExternalWork<d>> work;  ///< nothing before begin()
+  std::vector<KeptWork> work_before;    ///< of an earlier part of the run
+  bool goes_on = false;                 ///< there was one
 };
 
 /// Component by component on slots to particle by particle, and back.
@@ -58,11 +62,11 @@ SavedState save(const Followed<d>& followed) {
   const auto& carried = followed.body->stepper.carried;
   if (const Field* field = carried ? carried() : nullptr)
     saved.fields.push_back(gathered("integrator", solid, *field));
-  const auto& work = followed.support_work;
-  saved.fields.push_back({"supports",
-                          2,
-                          {work ? work->done() : followed.support_work_before,
-                           work ? work->power() : followed.support_power_before}});
+  for (KeptWork& work : followed.work ? followed.work->save() : followed.work_before) {
+    work.carried.insert(work.carried.begin(), work.done);
+    saved.fields.push_back(
+        {work_field + work.action, static_cast<int>(work.carried.size()), std::move(work.carried)});
+  }
   if (followed.relaxation) saved.fields.push_back({"relaxation", 1, {followed.relaxation->rate()}});
   return saved;
 }
@@ -82,29 +86,31 @@ void restore(Followed<d>& followed, const SavedState& saved) {
     followed.body->stepper.carry(carried);
   }
   followed.body->stepper.workspace->work = saved.work;
-  const SavedField* supports = field_named(saved.fields, "supports");
-  if (!supports || supports->values.size() != 2)
-    throw InputError("the checkpoint has no work of supports", "", "start the run anew, without --resume");
   const SavedField* relaxation = field_named(saved.fields, "relaxation");
   if (followed.relaxation && relaxation) followed.relaxation->set_rate(relaxation->values.at(0));
-  followed.support_work_before = supports->values[0];
-  followed.support_power_before = supports->values[1];
+  for (const SavedField& field : saved.fields)
+    if (field.name.starts_with(work_field) && !field.values.empty())
+      followed.work_before.push_back({field.name.substr(work_field.size()),
+                                      field.values[0],
+                                      {field.values.begin() + 1, field.values.end()}});
+  followed.goes_on = true;
 }
 
-/// What happens before the first step: the work of supports is read behind the budget.
+/// What happens before the first step: the work of actions is read behind the budget.
 template <int d>
 void begin(Followed<d>& followed) {
   TlsphBody<d>& body = *followed.body;
-  followed.support_work.emplace(body.solid, body.supports, body.stepper);
-  followed.support_work->resume(followed.support_work_before, followed.support_power_before);
-  followed.support_work->observe(body.state);
+  followed.work.emplace(body.solid, body.actions, body.stepper, body.state);
+  if (followed.goes_on && !followed.work->restore(followed.work_before))
+    throw InputError("the checkpoint has no work of loads and supports, or of others", "",
+                     "start the run anew, without --resume");
   if (followed.budget) followed.budget->observe(body.solid, body.state);
 }
 
 /// After a step. One that broke a bound is not in the budget, whose last row is the last good state's.
 template <int d>
 void close_step(Followed<d>& followed, bool sound) {
-  followed.support_work->observe(followed.body->state);
+  followed.work->close_step(followed.body->solid, followed.body->state);
   if (sound && followed.budget) followed.budget->observe(followed.body->solid, followed.body->state);
 }
 
@@ -115,17 +121,6 @@ SchemeEnergy scheme_energy(const Solid<d>& solid, const State<d>& state) {
   for (const auto& term : solid.terms)
     if (term.energy) shown.more.push_back({term.name, term.energy(solid, state)});
   return shown;
-}
-
-/// Whether loads, damping or supports that change their velocity do work, which the summary does not account
-/// for ([output] budget does).
-template <int d>
-bool has_other_work(const TlsphBody<d>& body) {
-  const auto& terms = body.solid.terms;
-  return body.actions.has_loads() ||
-         std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.name == "damping"; }) ||
-         std::any_of(body.actions.held.begin(), body.actions.held.end(),
-                     [](const auto& held) { return !held.steady; });
 }
 
 template <int d>
@@ -238,12 +233,13 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
   simulation.energy_round_off = [body] { return energy_round_off(body->solid); };
   simulation.momentum = [body] { return momentum_of(body->solid, body->state); };
   simulation.hourglass_share = [body] { return hourglass_share(body->solid, body->state); };
-  simulation.support_work = [followed] {
-    return followed->support_work ? followed->support_work->done() : followed->support_work_before;
+  simulation.external_work = [followed] {
+    std::vector<NamedEnergy> works;
+    if (followed->work)
+      for (const auto& [action, done] : followed->work->done()) works.push_back({action, done});
+    return works;
   };
-  simulation.moves_supports = std::any_of(body->supports.begin(), body->supports.end(),
-                                          [](const auto& support) { return support.velocity != 0; });
-  simulation.has_other_work = has_other_work(*body);
+  simulation.has_other_work = body->control.rest.has_value();
   give_reactions(simulation, followed);
   look_for_rest(simulation, followed);
   simulation.counts = [body] { return counts_of(*body); };

@@ -97,7 +97,7 @@ struct Outcome {
 };
 
 /// A body of one material: its bonds, its loops and whatever optional terms the scene names. Steps do not change it: what an
-/// evaluation writes is in a Workspace. Whoever watches a run (Budget, SupportWork) adds terms that only read, before the
+/// evaluation writes is in a Workspace. Whoever watches a run (Budget, ExternalWork) adds terms that only read, before the
 /// first step.
 template <int d>
 struct Solid {
