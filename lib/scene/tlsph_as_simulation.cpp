@@ -4,97 +4,14 @@
 #include <limits>
 
 #include "lib/material/point.hpp"
+#include "lib/scene/followed.hpp"
 #include "lib/scene/simulation.hpp"
-#include "lib/schemes/tlsph/boundary/external_work.hpp"
-#include "lib/schemes/tlsph/boundary/open_forces.hpp"
-#include "lib/schemes/tlsph/boundary/relaxation.hpp"
-#include "lib/schemes/tlsph/measures/budget_file.hpp"
+#include "lib/schemes/tlsph/loops/body_history.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/run/traffic.hpp"
 
 namespace plumb {
 namespace {
-
-/// Begins the names of fields with the work of actions, followed by the forces that count for the next step, too.
-const std::string work_field = "work of ";
-
-/// A body with what follows it through a run. It lives as long as the functions of the simulation.
-template <int d>
-struct Followed {
-  std::shared_ptr<TlsphBody<d>> body;
-  ClosestPairs<d> closest;
-  std::shared_ptr<const OpenForces<d>> forces;  ///< null without supports or relaxation
-  std::optional<Relaxation<d>> relaxation;
-  std::optional<double> residual;  ///< of the last step, if it was looked at
-  std::optional<BudgetFile<d>> budget;
-  std::optional<ExternalWork<d>> work;  ///< nothing before begin()
-  std::vector<KeptWork> work_before;    ///< of an earlier part of the run
-  bool goes_on = false;                 ///< there was one
-};
-
-/// Component by component on slots to particle by particle, and back.
-template <int d>
-SavedField gathered(const char* name, const Solid<d>& solid, const Field& field) {
-  SavedField saved{name, d, std::vector<double>(static_cast<std::size_t>(solid.cloud.size()) * d)};
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    for (int k = 0; k < d; ++k) saved.values[i * d + k] = field[k][solid.bonds.slots.of(i)];
-  return saved;
-}
-
-template <int d>
-void scatter(const Solid<d>& solid, const SavedField* saved, Field& field) {
-  const auto needed = static_cast<std::size_t>(solid.cloud.size()) * d;
-  if (!saved || saved->values.size() != needed)
-    throw InputError(
-        "the checkpoint has another number of particles",
-        fmt::format("{}, the scene {}", saved ? saved->values.size() / d : 0, solid.cloud.size()), "");
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    for (int k = 0; k < d; ++k) field[k][solid.bonds.slots.of(i)] = saved->values[i * d + k];
-}
-
-template <int d>
-SavedState save(const Followed<d>& followed) {
-  const Solid<d>& solid = followed.body->solid;
-  const State<d>& state = followed.body->state;
-  SavedState saved{{state.time, state.step}, followed.body->stepper.workspace->work, {}};
-  saved.fields.push_back(gathered("displacement", solid, state.u));
-  saved.fields.push_back(gathered("velocity", solid, state.v));
-  const auto& carried = followed.body->stepper.carried;
-  if (const Field* field = carried ? carried() : nullptr)
-    saved.fields.push_back(gathered("integrator", solid, *field));
-  for (KeptWork& work : followed.work ? followed.work->save() : followed.work_before) {
-    work.carried.insert(work.carried.begin(), work.done);
-    saved.fields.push_back(
-        {work_field + work.action, static_cast<int>(work.carried.size()), std::move(work.carried)});
-  }
-  if (followed.relaxation) saved.fields.push_back({"relaxation", 1, {followed.relaxation->rate()}});
-  return saved;
-}
-
-template <int d>
-void restore(Followed<d>& followed, const SavedState& saved) {
-  Solid<d>& solid = followed.body->solid;
-  State<d>& state = followed.body->state;
-  scatter(solid, field_named(saved.fields, "displacement"), state.u);
-  scatter(solid, field_named(saved.fields, "velocity"), state.v);
-  state.time = saved.now.time;
-  state.step = saved.now.step;
-  const SavedField* integrator = field_named(saved.fields, "integrator");
-  if (integrator && followed.body->stepper.carry) {
-    Field carried = solid.make_field(d);
-    scatter(solid, integrator, carried);
-    followed.body->stepper.carry(carried);
-  }
-  followed.body->stepper.workspace->work = saved.work;
-  const SavedField* relaxation = field_named(saved.fields, "relaxation");
-  if (followed.relaxation && relaxation) followed.relaxation->set_rate(relaxation->values.at(0));
-  for (const SavedField& field : saved.fields)
-    if (field.name.starts_with(work_field) && !field.values.empty())
-      followed.work_before.push_back({field.name.substr(work_field.size()),
-                                      field.values[0],
-                                      {field.values.begin() + 1, field.values.end()}});
-  followed.goes_on = true;
-}
 
 /// What happens before the first step: the work of actions is read behind the budget.
 template <int d>
@@ -114,12 +31,38 @@ void close_step(Followed<d>& followed, bool sound) {
   if (sound && followed.budget) followed.budget->observe(followed.body->solid, followed.body->state);
 }
 
+/// The deformation gradient in space; F_33 = 1.
+template <int d>
+Mat<3> gradient_in_space(const Solid<d>& solid, const State<d>& state, Index i) {
+  Mat<3> F = Mat<3>::Identity();
+  F.template topLeftCorner<d, d>() = deformation_gradient_of(solid, state, i);
+  return F;
+}
+
 template <int d>
 SchemeEnergy scheme_energy(const Solid<d>& solid, const State<d>& state) {
   const Energy energy = energy_of(solid, state);
   SchemeEnergy shown{energy.kinetic, energy.strain, {}, {}};
   for (const auto& term : solid.terms)
     if (term.energy) shown.more.push_back({term.name, term.energy(solid, state)});
+  if (const auto& history = solid.sweeps.history) {
+    const double* density = history->field[history->plastic_work().first];
+    double work = 0;
+    for (Index slot = 0; slot < solid.bonds.slots.count(); ++slot) work += solid.volume[slot] * density[slot];
+    shown.more.push_back({history->plastic_work().name, work});
+  }
+  return shown;
+}
+
+/// What a particle shows of its material: that of its elastic law, or of its history.
+template <int d>
+PointState point_state(const Solid<d>& solid, const State<d>& state, const MaterialPoint& point, Index i) {
+  const Mat<3> F = gradient_in_space(solid, state, i);
+  if (!solid.sweeps.history) return point(F);
+  PointState shown;
+  shown.F = F;
+  shown.cauchy =
+      solid.sweeps.history->first_piola(F, solid.bonds.slots.of(i)) * F.transpose() / F.determinant();
   return shown;
 }
 
@@ -130,18 +73,10 @@ Counts counts_of(const TlsphBody<d>& body) {
           bytes_per_update(body.solid, body.stepper)};
 }
 
-/// The deformation gradient in space; F_33 = 1.
-template <int d>
-Mat<3> gradient_in_space(const Solid<d>& solid, const State<d>& state, Index i) {
-  Mat<3> F = Mat<3>::Identity();
-  F.template topLeftCorner<d, d>() = deformation_gradient_of(solid, state, i);
-  return F;
-}
-
 template <int d>
 PointView<d> view_of(const Solid<d>& solid, const State<d>& state, const MaterialPoint& point, Index i) {
   const Index slot = solid.bonds.slots.of(i);
-  const PointState at = point(gradient_in_space(solid, state, i));
+  const PointState at = point_state(solid, state, point, i);
   return {solid.cloud.X[i],
           vector_at<d>(state.u, slot),
           position_of(solid, state, i),
@@ -200,12 +135,17 @@ Snapshot<d> snapshot_of(const Solid<d>& solid, const State<d>& state, const Mate
     shown.u[i] = vector_at<d>(state.u, slot);
     shown.x[i] = position_of(solid, state, i);
     shown.v[i] = vector_at<d>(state.v, slot);
-    const PointState at = point(gradient_in_space(solid, state, i));
+    const PointState at = point_state(solid, state, point, i);
     shown.F[i] = at.F;
     shown.cauchy[i] = at.cauchy;
     shown.mass[i] = solid.elastic.density * solid.cloud.V[i];
     shown.volume[i] = solid.cloud.V[i] * determinant<3, double>(at.F);
   }
+  if (const auto& history = solid.sweeps.history)
+    for (const HistoryValue& value : history->values)
+      if (!value.tensor)
+        shown.more.push_back(
+            {value.name, value.unit, gathered(value.name, solid, history->field, value.first, 1).values});
   return shown;
 }
 
@@ -222,6 +162,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
   simulation.warnings = body->warnings;
   for (const auto& term : solid.terms)
     if (term.energy) simulation.energy_names.push_back(term.name);
+  if (solid.sweeps.history) simulation.energy_names.push_back(solid.sweeps.history->plastic_work().name);
   simulation.spacing = solid.cloud.spacing;
   simulation.evaluations_per_step = body->stepper.evaluations_per_step;
   simulation.steps = steps_of(body->solid, body->state, body->stepper, body->control, followed->closest);

@@ -74,6 +74,9 @@ struct Term {
 template <int d>
 using Tangent = Eigen::Matrix<double, d * d, d * d>;
 
+template <int d>
+struct BodyHistory;
+
 /// The loops for one material and one kind of table, chosen once.
 template <int d>
 struct Sweeps {
@@ -82,6 +85,7 @@ struct Sweeps {
   std::function<void(const BondTable<d>&, const StressWindow& P, const Block&, BlockForce<d>&)> force;
   std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF at F, for linearisation
   std::size_t bytes = 0;                               ///< of tables of their own
+  std::shared_ptr<BodyHistory<d>> history = {};  ///< of a law with history (body_history.hpp); null: none
 };
 
 /// A particle whose deformation gradient has no positive determinant.
