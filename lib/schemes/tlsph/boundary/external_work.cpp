@@ -64,6 +64,7 @@ struct ExternalWork<d>::Account {
   std::vector<double> before;  ///< velocity at the start of the step [m/s]
   std::size_t evaluation = 0;  ///< of this step, from 1
   double done = 0;             ///< [J]
+  bool holds = false;          ///< it prescribes the motion of its places
 
   bool carries() const { return weights.size() == 1; }
   double weight() const { return weights[std::min(evaluation, weights.size()) - 1]; }
@@ -83,6 +84,19 @@ struct ExternalWork<d>::Account {
       last[n] += weight() * f;
       sum[n] += last[n];
     });
+  }
+  /// Of supports, without the force that they prescribe: they make up for all that the velocity changes by.
+  void take_reaction(const Block& block, BlockForce<d>& force) {
+    for_block(block, force, [this](std::size_t n, double f) {
+      last[n] = -weight() * f;
+      sum[n] += last[n];
+    });
+  }
+  /// Impulse on a place over a step [kg m/s].
+  double impulse(const Solid<d>& solid, std::size_t n, double dt, double now) const {
+    const double by_forces = dt * sum[n];
+    const double by_motion = holds ? solid.elastic.density * (now - before[n]) : 0;
+    return solid.volume[places[n].first] * (by_forces + by_motion);
   }
   void start_step(const State<d>& state) {
     evaluation = 0;
@@ -107,6 +121,7 @@ ExternalWork<d>::ExternalWork(Solid<d>& solid, const Actions<d>& actions, const 
       terms.push_back(std::move(term));
       continue;
     }
+    account->holds = !term.held.empty();
     account->weights = stepper.weights;
     account->sum.assign(account->places.size(), 0.0);
     account->last = account->before = account->sum;
@@ -118,14 +133,14 @@ ExternalWork<d>::ExternalWork(Solid<d>& solid, const Actions<d>& actions, const 
       if (block.first_pack == 0) ++account->evaluation;  // read when the first phase is over, in all threads
     };
     before.second = [account](const Solid<d>&, const Block& block, const Instant<d>&, BlockForce<d>& force) {
-      account->take_before(block, force);
+      account->holds ? account->take_reaction(block, force) : account->take_before(block, force);
     };
     behind.second = [account](const Solid<d>&, const Block& block, const Instant<d>&, BlockForce<d>& force) {
       account->take_behind(block, force);
     };
     terms.push_back(std::move(before));
     terms.push_back(std::move(term));
-    terms.push_back(std::move(behind));
+    if (!account->holds) terms.push_back(std::move(behind));
   }
   solid.terms = std::move(terms);
 }
@@ -135,12 +150,13 @@ void ExternalWork<d>::close_step(const Solid<d>& solid, const State<d>& state) {
   const double dt = state.time - time_;
   time_ = state.time;
   for (const auto& account : accounts_) {
-    double power = 0;  // mean of the step [W]
+    double work = 0;
     for (std::size_t n = 0; n < account->places.size(); ++n) {
       const auto [slot, component] = account->places[n];
-      power += solid.volume[slot] * account->sum[n] * 0.5 * (account->before[n] + state.v[component][slot]);
+      const double now = state.v[component][slot];
+      work += account->impulse(solid, n, dt, now) * 0.5 * (account->before[n] + now);
     }
-    account->done += dt * power;
+    account->done += work;
     account->start_step(state);
   }
 }

@@ -62,6 +62,9 @@ struct Term {
   /// Changes the forces of all slots at once, when they are known up to this term; at most one term has it.
   /// Forces are stored, and terms behind it may not read the state of other slots.
   std::function<void(const Solid<d>&, const Instant<d>&, const Arm<d>&, Field& force)> whole;
+  /// Slots and components whose motion it prescribes, each once, sorted: what their velocity changes by in a step is its
+  /// doing, THEORY (8.6).
+  std::vector<std::pair<Index, int>> held = {};
   bool needs_F = false;   ///< the deformation gradient is stored
   bool internal = false;  ///< its force belongs to the strain energy, with the internal force
   /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
