@@ -82,16 +82,16 @@ std::vector<Prescribed> surface_conditions(const Study& study, const Manufacture
 
 template <int d>
 std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain) {
-  std::vector<Index> held;
+  std::vector<Index> still;
   for (Index i = 0; i < cloud.size(); ++i)
     for_faces_at(cloud.box, cloud.X[i], [&](int axis, int face) {
       for (int k = 0; k < d; ++k) {
         const FaceCondition& condition = domain.faces[static_cast<std::size_t>(face)];
         if ((k == axis ? condition.normal : condition.tangential) == Known::displacement)
-          held.push_back(d * i + k);
+          still.push_back(d * i + k);
       }
     });
-  return held;
+  return still;
 }
 
 #define PLUMBLINE_INSTANTIATE(d)                                                                          \

@@ -39,7 +39,7 @@ SavedState save(const Followed<d>& followed) {
   const auto& carried = followed.body->stepper.carried;
   if (const Field* field = carried ? carried() : nullptr)
     saved.fields.push_back(gathered("integrator", solid, *field));
-  for (KeptWork& work : followed.work ? followed.work->save() : followed.work_before) {
+  for (KeptWork work : followed.work ? followed.work->save() : followed.work_before) {
     work.carried.insert(work.carried.begin(), work.done);
     saved.fields.push_back(
         {work_field + work.action, static_cast<int>(work.carried.size()), std::move(work.carried)});
