@@ -144,6 +144,7 @@ TlsphBody<d> driven_simulation(const Study& study, const Manufactured<d>& soluti
 template <int d>
 DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, double spacing,
                           const Loading& loading) {
+  require_motion(solution);
   if (study.method.scheme == "implicit")
     throw InputError("scheme = \"implicit\" does not follow a motion in time",
                      "it goes from equilibrium to equilibrium", "use scheme = \"tlsph\" or \"mixed\"");

@@ -78,6 +78,13 @@ double end_time(const Study& study);
 template <int d>
 Manufactured<d> solution_of(const Study& study);
 
+/// Throws InputError for a solution at rest: nothing of it depends on time.
+template <int d>
+void require_motion(const Manufactured<d>& solution) {
+  if (solution.still)
+    throw InputError(solution.name + " does not move", "it is an equilibrium", "Use plumb static.");
+}
+
 /// The exact displacement, gradient, velocity and stress at one time [s].
 template <int d>
 ExactField<d> exact_field(const Manufactured<d>& solution, double time);

@@ -20,6 +20,7 @@ void fill_motion(const S& solution, Manufactured<d>& out) {
   out.name = S::name;
   out.period = solution.period();
   out.domain = solution.template domain<d>();
+  if constexpr (requires { S::still; }) out.still = S::still;
   out.motion = [solution](const Vec<d>& X, double t) { return motion_of<d>(solution, X, t); };
 }
 

@@ -19,6 +19,7 @@ struct Manufactured {
   double density;  ///< rho_0 [kg/m^3]
   double period;   ///< characteristic time [s]
   Domain<d> domain;
+  bool still = false;  ///< it does not move: a field at rest
   std::function<Motion<d>(const Vec<d>& X, double t)> motion;
   std::function<Mat<d>(const Mat<d>& F)> first_piola;                ///< P [Pa]
   std::function<Vec<d>(const Motion<d>& motion)> stress_divergence;  ///< Div P [Pa/m]

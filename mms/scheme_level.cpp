@@ -45,6 +45,7 @@ NodalValues<d> nodal_values(const Snapshot<d>& shown) {
 template <int d>
 LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution, double spacing,
                              const Loading& loading, Sitting& sitting) {
+  require_motion(solution);
   const std::clock_t begin = std::clock();
   const Scene scene = scene_of_level(study, spacing);
   LevelRun<d> out;

@@ -19,6 +19,8 @@ namespace plumb::mms {
 ///   material()         elastic constants used when a study names none
 ///   S(parameters, elastic)
 ///   displacement<d>(X, t), domain<d>(), period()   period: characteristic time [s]
+/// and, if it is at rest at all times, so that only `plumb static` can follow it,
+///   still              true
 template <class S, int d>
 concept Solution = std::constructible_from<S, const Parameters&, const Elastic&> &&
     requires(const S& s, const Vec<d>& X, double t, const Vec<d, Jet<d + 1>>& Xj, const Jet<d + 1>& tj) {

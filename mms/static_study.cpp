@@ -6,10 +6,10 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/statics/statics.hpp"
 #include "mms/level.hpp"
 #include "mms/manufactured.hpp"
+#include "mms/static_surface.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -19,28 +19,12 @@ double cpu_now() {
 }
 
 template <int d>
-TlsphBody<d> body_of(const Study& study, double spacing) {
+TlsphBody<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
   if (study.method.projection)
     throw InputError("[projection] in a static study", "it takes the torque off a force and has no stiffness",
                      "Leave it out.");
-  Scene scene;
-  scene.dimension = d;
-  scene.max_steps = 1;
-  scene.body = with_spacing(study.body, spacing);
-  scene.material = study.material;
-  scene.method = study.method;
-  scene.method.jst = std::nullopt;  // nothing moves
-  return make_tlsph<d>(scene);
-}
-
-/// Sides on which a particle lies: face 2 k is the lower one of axis k.
-template <int d, class Use>
-void for_faces_at(const Box<d>& box, const Vec<d>& X, Use&& use) {
-  for (int k = 0; k < d; ++k) {
-    const double below = X[k] - box.origin[k], above = box.size[k] - below, slack = 1e-9 * box.size[k];
-    if (below < slack) use(k, 2 * k);
-    if (above < slack) use(k, 2 * k + 1);
-  }
+  study.method.jst = std::nullopt;  // nothing moves
+  return driven_simulation<d>(study, solution, spacing);
 }
 
 /// Displacements, their sources and the inertia of the solution at every particle.
@@ -69,16 +53,11 @@ Exact<d> exact_at(const Manufactured<d>& solution, const Cloud<d>& cloud, double
 }
 
 template <int d>
-void measure_equilibrium(const Study& study, const Solid<d>& solid, const Linearised& body,
-                         const Exact<d>& exact, const Manufactured<d>& solution, double time,
-                         StaticLevel& level) {
+void measure_equilibrium(const Study& study, const Solid<d>& solid, const Linearised& body, Exact<d>& exact,
+                         const Manufactured<d>& solution, double time, StaticLevel& level) {
   const Cloud<d>& cloud = solid.cloud;
-  std::vector<Prescribed> prescribed;
-  for (Index i = 0; i < cloud.size(); ++i) {
-    bool on_surface = false;
-    for_faces_at(cloud.box, cloud.X[i], [&](int, int) { on_surface = true; });
-    for (int k = 0; on_surface && k < d; ++k) prescribed.push_back({d * i + k, exact.u[d * i + k]});
-  }
+  const std::vector<Prescribed> prescribed =
+      surface_conditions<d>(study, solution, cloud, time, exact.u, exact.load);
   const Eigen::VectorXd found = equilibrium(body.stiffness, exact.load, prescribed);
   State<d> state = make_state(solid);
   for (Index i = 0; i < cloud.size(); ++i)
@@ -92,21 +71,6 @@ void measure_equilibrium(const Study& study, const Solid<d>& solid, const Linear
   level.exact = nodal_size<d>(cloud, field);
 }
 
-/// Components that the solution's faces hold still.
-template <int d>
-std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain) {
-  std::vector<Index> held;
-  for (Index i = 0; i < cloud.size(); ++i)
-    for_faces_at(cloud.box, cloud.X[i], [&](int axis, int face) {
-      for (int k = 0; k < d; ++k) {
-        const FaceCondition& condition = domain.faces[static_cast<std::size_t>(face)];
-        if ((k == axis ? condition.normal : condition.tangential) == Known::displacement)
-          held.push_back(d * i + k);
-      }
-    });
-  return held;
-}
-
 /// Above this the solution needs a body force: an amplitude of 1e-3 of the body leaves about as much.
 constexpr double balanced = 1e-3;
 /// The guess is set apart from the exact frequency, where a perfect scheme would make the matrix singular.
@@ -116,7 +80,7 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const TlsphBody<d> simulation = body_of<d>(study, spacing);
+  const TlsphBody<d> simulation = body_of<d>(study, solution, spacing);
   const Solid<d>& solid = simulation.solid;
   if (simulation.compatible && !simulation.compatible->closed_form)
     level.projection = {simulation.compatible->divergence_defect, simulation.compatible->residual};
@@ -124,10 +88,10 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   level.n = solid.cloud.size();
   level.spacing = spacing;
   const double time = end_time(study);
-  const Exact<d> exact = exact_at(solution, solid.cloud, time);
+  Exact<d> exact = exact_at(solution, solid.cloud, time);
   const Linearised body = linearise(solid);
   measure_equilibrium(study, solid, body, exact, solution, time, level);
-  if (exact.unbalanced < balanced) {
+  if (!solution.still && exact.unbalanced < balanced) {
     const double omega = 2 * std::acos(-1.0) / solution.period;
     try {
       const Vibration found =
@@ -176,11 +140,12 @@ std::vector<StudyFit> fits_of(const Study& study, const std::vector<StaticLevel>
 
 template <int d>
 StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  const auto solution =
-      manufactured<d>(study.solution, study.parameters, study.material.elastic(), study.material.law());
-  if (solution.domain.shape != Domain<d>::Shape::box || study.body.layout != Layout::node)
-    throw InputError("a static study needs a box with particles on its surface",
-                     "displacements are prescribed there", "Use layout = \"node\" and a solution on a box.");
+  const Manufactured<d> solution = solution_of<d>(study);
+  const bool box = solution.domain.shape == Domain<d>::Shape::box;
+  if (study.body.layout != Layout::node || !(box || solution.still))
+    throw InputError("a static study needs particles on the surface of a box, or a solution at rest",
+                     "displacements are prescribed there",
+                     "Use layout = \"node\" and a solution on a box, or one that is at rest.");
   StaticResult result;
   for (const double spacing : study.spacings) {
     result.levels.push_back(sitting.value<StaticLevel>(
@@ -203,7 +168,9 @@ std::vector<NormName> static_norms() {
   return norms;
 }
 
-StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+StaticResult run_static_study(const Study& given, const StudyProgress& progress, Sitting& sitting) {
+  Study study = given;
+  study.quadrature = "nodal";  // the only norms that there are
   if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
   if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
   throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",

@@ -62,10 +62,10 @@ struct Simulation {
   std::function<double()> energy_round_off;  ///< of the energy near the reference [J]; empty: none is known
   std::function<Momentum()> momentum;
   std::function<double()> hourglass_share;  ///< THEORY (8.4); empty: the scheme has none
-  std::function<double()> support_work;     ///< of supports that move, so far [J]; empty: not accounted for
+  /// Work of "loads", "damping" and "supports" so far [J], of those that there are; empty: not accounted for.
+  std::function<std::vector<NamedEnergy>()> external_work;
   std::function<std::vector<BoundaryForce<d>>()> reactions;  ///< empty: the scheme does not say
-  bool moves_supports = false;                               ///< at a steady velocity
-  bool has_other_work = false;  ///< by loads, damping or supports that change their velocity
+  bool has_other_work = false;                               ///< that external_work does not have
   std::function<std::vector<Statement>()> account;  ///< what it solves; empty: `plumb explain` knows itself
   std::function<Counts()> counts;
   std::function<std::vector<ArrayEntry>()> arrays;

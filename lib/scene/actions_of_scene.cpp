@@ -20,7 +20,8 @@ std::string name_of(const Boundary& boundary) {
 
 InputError holds_nowhere(const Boundary& boundary, const std::string& what) {
   return {fmt::format("boundary where = \"{}\" holds at no {}", boundary.where->text(), what),
-          "nothing would be held", "widen the condition"};
+          is_load(boundary.kind) ? "nothing would be loaded" : "nothing would be held",
+          "widen the condition"};
 }
 
 template <int d>

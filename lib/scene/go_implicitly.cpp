@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lib/actions/does_work.hpp"
 #include "lib/core/error.hpp"
 #include "lib/schemes/implicit/energy_momentum.hpp"
 #include "lib/schemes/implicit/load_path.hpp"
@@ -61,11 +62,12 @@ void refuse_what_it_has_not(const Scene& scene) {
 
 /// What neither accounts for.
 template <int d>
-void leave_out_accounts(Simulation<d>& simulation) {
+void leave_out_accounts(Simulation<d>& simulation, const Actions<d>& actions) {
+  simulation.has_other_work = does_work(actions);
   simulation.begin = nullptr;
   simulation.close_step = nullptr;
   simulation.keep_budget = nullptr;
-  simulation.support_work = nullptr;
+  simulation.external_work = nullptr;
 }
 
 /// Steps from equilibrium to equilibrium.
@@ -122,7 +124,7 @@ void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene&
   refuse_what_it_has_not(scene);
   const auto way =
       std::make_shared<Way<d>>(Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, 0});
-  leave_out_accounts(simulation);
+  leave_out_accounts(simulation, way->body.actions());
   const double tolerance = scene.method.implicit.tolerance;
   if (scene.method.implicit.midpoint)
     go_in_time<Midpoint<d>>(simulation, way, [way, tolerance](const BodyMotion& from) {

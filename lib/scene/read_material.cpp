@@ -63,11 +63,11 @@ MaterialChoice read_material(const Section& section, int dimension, MaterialOf o
 }
 
 void refuse_history(const Section& root, const MaterialChoice& material, const Method& method) {
-  if (method.scheme == "mixed" || method.scheme == "updated" || !has_history(material.model)) return;
+  if (!has_history(material.model) || (method.scheme != "implicit" && method.scheme != "element")) return;
   root.section("material")
       .fail("model", fmt::format("a body of \"{}\"", material.model),
             fmt::format("its history is not carried through time steps by scheme = \"{}\"", method.scheme),
-            "use scheme = \"mixed\" or \"updated\", which do, or an "
+            "use scheme = \"tlsph\", \"mixed\" or \"updated\", which do, or an "
             "elastic law; `plumb material` drives it at one point");
 }
 

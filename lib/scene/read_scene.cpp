@@ -38,6 +38,9 @@ void refuse_budget_of_another(const Section& root, const Scene& scene) {
     root.section("output").fail("budget", fmt::format("contradicts scheme = \"{}\"", scene.method.scheme),
                                 "only scheme = \"tlsph\" keeps such an account",
                                 "leave it out, or use scheme = \"tlsph\"");
+  if (scene.output && scene.output->budget && has_history(scene.material.model))
+    root.section("output").fail("budget", fmt::format("contradicts model = \"{}\"", scene.material.model),
+                                "it would take plastic work for that of the integrator", "leave it out");
 }
 
 /// What has no rest, or none that a run in time finds.

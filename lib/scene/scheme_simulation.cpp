@@ -1,7 +1,6 @@
 #include "lib/scene/scheme_simulation.hpp"
 
-#include <algorithm>
-
+#include "lib/actions/does_work.hpp"
 #include "lib/run/any_scheme.hpp"
 #include "lib/scene/actions_of_scene.hpp"
 #include "lib/scene/go_implicitly.hpp"
@@ -16,18 +15,6 @@ namespace {
 
 /// Of formulas in time, for a scene that ends by its number of steps [s].
 constexpr double default_time_scale = 1;
-
-/// Whether loads or supports that move can change the energy.
-template <int d>
-bool does_work(const Actions<d>& actions) {
-  return actions.has_loads() ||
-         std::any_of(actions.held.begin(), actions.held.end(), [](const Held<d>& held) {
-           return !held.steady ||
-                  std::any_of(held.places.begin(), held.places.end(), [&](const HeldPlace<d>& place) {
-                    return held.motion(place.at, place.component, 0).velocity != 0;
-                  });
-         });
-}
 
 /// Elements by Verlet, or as [implicit] says.
 template <int d>
@@ -48,14 +35,8 @@ Simulation<d> element_simulation(Specimen<d> specimen, const Scene& scene, Schem
   return simulation;
 }
 
-}  // namespace
-
-bool has_own_body(const std::string& scheme) {
-  return scheme == "mixed" || scheme == "updated" || scheme == "element";
-}
-
 template <int d>
-Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
+Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
   const StepControl control = step_control(scene);
   Specimen<d> specimen{std::move(start.cloud), scene.material.law(), scene.material.elastic()};
   if (scene.method.scheme == Updated<d>::name) {
@@ -69,6 +50,20 @@ Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
   return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions), start.motion,
                           control);
+}
+
+}  // namespace
+
+bool has_own_body(const std::string& scheme) {
+  return scheme == "mixed" || scheme == "updated" || scheme == "element";
+}
+
+template <int d>
+Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
+  const bool works = does_work(start.actions);
+  Simulation<d> simulation = simulation_of(scene, std::move(start));
+  simulation.has_other_work = simulation.has_other_work || works;  // no scheme of this house accounts for it
+  return simulation;
 }
 
 template <int d>

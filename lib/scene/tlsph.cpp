@@ -18,6 +18,7 @@
 #include "lib/schemes/tlsph/loops/make_solid.hpp"
 #include "lib/schemes/tlsph/loops/part_site.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/time/commit_history.hpp"
 
 namespace plumb {
 namespace {
@@ -163,8 +164,10 @@ TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surfac
                       stability_limits(scene.method.integrator).real_axis});
   simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
   apply_actions(simulation.solid, simulation.actions);
-  simulation.stepper =
-      with_prescribed_motion(stepper_named<d>(scene.method.integrator, simulation.solid), simulation.actions);
+  simulation.stepper = with_history(
+      with_prescribed_motion(stepper_named<d>(scene.method.integrator, simulation.solid), simulation.actions),
+      simulation.solid);
+  commit_history(simulation.solid, simulation.state);  // [initial] displacement
   prepare(*simulation.stepper.workspace, simulation.solid, simulation.solid.terms);
   return simulation;
 }
@@ -184,6 +187,7 @@ std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation) {
       {"first Piola-Kirchhoff stress, a window", workspace.P.bytes()},
       {"integrator " + std::string(simulation.stepper.name), simulation.stepper.bytes}};
   if (stores_F(solid.terms)) arrays.push_back({"deformation gradient", workspace.F.bytes()});
+  if (solid.sweeps.history) arrays.push_back({"history", solid.sweeps.history->field.bytes()});
   if (stores_force(solid.terms)) arrays.push_back({"force", workspace.stored_force.bytes()});
   for (const auto& term : solid.terms) arrays.push_back({term.name, term.bytes});
   arrays.push_back(

@@ -4,135 +4,31 @@
 #include <limits>
 
 #include "lib/material/point.hpp"
+#include "lib/scene/followed.hpp"
 #include "lib/scene/simulation.hpp"
-#include "lib/schemes/tlsph/boundary/open_forces.hpp"
-#include "lib/schemes/tlsph/boundary/relaxation.hpp"
-#include "lib/schemes/tlsph/boundary/support_work.hpp"
-#include "lib/schemes/tlsph/measures/budget_file.hpp"
+#include "lib/schemes/tlsph/loops/body_history.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/schemes/tlsph/run/traffic.hpp"
 
 namespace plumb {
 namespace {
 
-/// A body with what follows it through a run. It lives as long as the functions of the simulation.
-template <int d>
-struct Followed {
-  std::shared_ptr<TlsphBody<d>> body;
-  ClosestPairs<d> closest;
-  std::shared_ptr<const OpenForces<d>> forces;  ///< null without supports or relaxation
-  std::optional<Relaxation<d>> relaxation;
-  std::optional<double> residual;  ///< of the last step, if it was looked at
-  std::optional<BudgetFile<d>> budget;
-  std::optional<SupportWork<d>> support_work;
-  double support_work_before = 0, support_power_before = 0;  ///< of an earlier part of the run [J], [W]
-};
-
-/// Component by component on slots to particle by particle, and back.
-template <int d>
-SavedField gathered(const char* name, const Solid<d>& solid, const Field& field) {
-  SavedField saved{name, d, std::vector<double>(static_cast<std::size_t>(solid.cloud.size()) * d)};
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    for (int k = 0; k < d; ++k) saved.values[i * d + k] = field[k][solid.bonds.slots.of(i)];
-  return saved;
-}
-
-template <int d>
-void scatter(const Solid<d>& solid, const SavedField* saved, Field& field) {
-  const auto needed = static_cast<std::size_t>(solid.cloud.size()) * d;
-  if (!saved || saved->values.size() != needed)
-    throw InputError(
-        "the checkpoint has another number of particles",
-        fmt::format("{}, the scene {}", saved ? saved->values.size() / d : 0, solid.cloud.size()), "");
-  for (Index i = 0; i < solid.cloud.size(); ++i)
-    for (int k = 0; k < d; ++k) field[k][solid.bonds.slots.of(i)] = saved->values[i * d + k];
-}
-
-template <int d>
-SavedState save(const Followed<d>& followed) {
-  const Solid<d>& solid = followed.body->solid;
-  const State<d>& state = followed.body->state;
-  SavedState saved{{state.time, state.step}, followed.body->stepper.workspace->work, {}};
-  saved.fields.push_back(gathered("displacement", solid, state.u));
-  saved.fields.push_back(gathered("velocity", solid, state.v));
-  const auto& carried = followed.body->stepper.carried;
-  if (const Field* field = carried ? carried() : nullptr)
-    saved.fields.push_back(gathered("integrator", solid, *field));
-  const auto& work = followed.support_work;
-  saved.fields.push_back({"supports",
-                          2,
-                          {work ? work->done() : followed.support_work_before,
-                           work ? work->power() : followed.support_power_before}});
-  if (followed.relaxation) saved.fields.push_back({"relaxation", 1, {followed.relaxation->rate()}});
-  return saved;
-}
-
-template <int d>
-void restore(Followed<d>& followed, const SavedState& saved) {
-  Solid<d>& solid = followed.body->solid;
-  State<d>& state = followed.body->state;
-  scatter(solid, field_named(saved.fields, "displacement"), state.u);
-  scatter(solid, field_named(saved.fields, "velocity"), state.v);
-  state.time = saved.now.time;
-  state.step = saved.now.step;
-  const SavedField* integrator = field_named(saved.fields, "integrator");
-  if (integrator && followed.body->stepper.carry) {
-    Field carried = solid.make_field(d);
-    scatter(solid, integrator, carried);
-    followed.body->stepper.carry(carried);
-  }
-  followed.body->stepper.workspace->work = saved.work;
-  const SavedField* supports = field_named(saved.fields, "supports");
-  if (!supports || supports->values.size() != 2)
-    throw InputError("the checkpoint has no work of supports", "", "start the run anew, without --resume");
-  const SavedField* relaxation = field_named(saved.fields, "relaxation");
-  if (followed.relaxation && relaxation) followed.relaxation->set_rate(relaxation->values.at(0));
-  followed.support_work_before = supports->values[0];
-  followed.support_power_before = supports->values[1];
-}
-
-/// What happens before the first step: the work of supports is read behind the budget.
+/// What happens before the first step: the work of actions is read behind the budget.
 template <int d>
 void begin(Followed<d>& followed) {
   TlsphBody<d>& body = *followed.body;
-  followed.support_work.emplace(body.solid, body.supports, body.stepper);
-  followed.support_work->resume(followed.support_work_before, followed.support_power_before);
-  followed.support_work->observe(body.state);
+  followed.work.emplace(body.solid, body.actions, body.stepper, body.state);
+  if (followed.goes_on && !followed.work->restore(followed.work_before))
+    throw InputError("the checkpoint has no work of loads and supports, or of others", "",
+                     "start the run anew, without --resume");
   if (followed.budget) followed.budget->observe(body.solid, body.state);
 }
 
 /// After a step. One that broke a bound is not in the budget, whose last row is the last good state's.
 template <int d>
 void close_step(Followed<d>& followed, bool sound) {
-  followed.support_work->observe(followed.body->state);
+  followed.work->close_step(followed.body->solid, followed.body->state);
   if (sound && followed.budget) followed.budget->observe(followed.body->solid, followed.body->state);
-}
-
-template <int d>
-SchemeEnergy scheme_energy(const Solid<d>& solid, const State<d>& state) {
-  const Energy energy = energy_of(solid, state);
-  SchemeEnergy shown{energy.kinetic, energy.strain, {}, {}};
-  for (const auto& term : solid.terms)
-    if (term.energy) shown.more.push_back({term.name, term.energy(solid, state)});
-  return shown;
-}
-
-/// Whether loads, damping or supports that change their velocity do work, which the summary does not account
-/// for ([output] budget does).
-template <int d>
-bool has_other_work(const TlsphBody<d>& body) {
-  const auto& terms = body.solid.terms;
-  return body.actions.has_loads() ||
-         std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.name == "damping"; }) ||
-         std::any_of(body.actions.held.begin(), body.actions.held.end(),
-                     [](const auto& held) { return !held.steady; });
-}
-
-template <int d>
-Counts counts_of(const TlsphBody<d>& body) {
-  const auto& bonds = body.solid.bonds;
-  return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.stepper.workspace->work,
-          bytes_per_update(body.solid, body.stepper)};
 }
 
 /// The deformation gradient in space; F_33 = 1.
@@ -144,9 +40,43 @@ Mat<3> gradient_in_space(const Solid<d>& solid, const State<d>& state, Index i) 
 }
 
 template <int d>
+SchemeEnergy scheme_energy(const Solid<d>& solid, const State<d>& state) {
+  const Energy energy = energy_of(solid, state);
+  SchemeEnergy shown{energy.kinetic, energy.strain, {}, {}};
+  for (const auto& term : solid.terms)
+    if (term.energy) shown.more.push_back({term.name, term.energy(solid, state)});
+  if (const auto& history = solid.sweeps.history) {
+    const double* density = history->field[history->plastic_work().first];
+    double work = 0;
+    for (Index slot = 0; slot < solid.bonds.slots.count(); ++slot) work += solid.volume[slot] * density[slot];
+    shown.more.push_back({history->plastic_work().name, work});
+  }
+  return shown;
+}
+
+/// What a particle shows of its material: that of its elastic law, or of its history.
+template <int d>
+PointState point_state(const Solid<d>& solid, const State<d>& state, const MaterialPoint& point, Index i) {
+  const Mat<3> F = gradient_in_space(solid, state, i);
+  if (!solid.sweeps.history) return point(F);
+  PointState shown;
+  shown.F = F;
+  shown.cauchy =
+      solid.sweeps.history->first_piola(F, solid.bonds.slots.of(i)) * F.transpose() / F.determinant();
+  return shown;
+}
+
+template <int d>
+Counts counts_of(const TlsphBody<d>& body) {
+  const auto& bonds = body.solid.bonds;
+  return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.stepper.workspace->work,
+          bytes_per_update(body.solid, body.stepper)};
+}
+
+template <int d>
 PointView<d> view_of(const Solid<d>& solid, const State<d>& state, const MaterialPoint& point, Index i) {
   const Index slot = solid.bonds.slots.of(i);
-  const PointState at = point(gradient_in_space(solid, state, i));
+  const PointState at = point_state(solid, state, point, i);
   return {solid.cloud.X[i],
           vector_at<d>(state.u, slot),
           position_of(solid, state, i),
@@ -205,12 +135,17 @@ Snapshot<d> snapshot_of(const Solid<d>& solid, const State<d>& state, const Mate
     shown.u[i] = vector_at<d>(state.u, slot);
     shown.x[i] = position_of(solid, state, i);
     shown.v[i] = vector_at<d>(state.v, slot);
-    const PointState at = point(gradient_in_space(solid, state, i));
+    const PointState at = point_state(solid, state, point, i);
     shown.F[i] = at.F;
     shown.cauchy[i] = at.cauchy;
     shown.mass[i] = solid.elastic.density * solid.cloud.V[i];
     shown.volume[i] = solid.cloud.V[i] * determinant<3, double>(at.F);
   }
+  if (const auto& history = solid.sweeps.history)
+    for (const HistoryValue& value : history->values)
+      if (!value.tensor)
+        shown.more.push_back(
+            {value.name, value.unit, gathered(value.name, solid, history->field, value.first, 1).values});
   return shown;
 }
 
@@ -227,6 +162,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
   simulation.warnings = body->warnings;
   for (const auto& term : solid.terms)
     if (term.energy) simulation.energy_names.push_back(term.name);
+  if (solid.sweeps.history) simulation.energy_names.push_back(solid.sweeps.history->plastic_work().name);
   simulation.spacing = solid.cloud.spacing;
   simulation.evaluations_per_step = body->stepper.evaluations_per_step;
   simulation.steps = steps_of(body->solid, body->state, body->stepper, body->control, followed->closest);
@@ -238,12 +174,13 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
   simulation.energy_round_off = [body] { return energy_round_off(body->solid); };
   simulation.momentum = [body] { return momentum_of(body->solid, body->state); };
   simulation.hourglass_share = [body] { return hourglass_share(body->solid, body->state); };
-  simulation.support_work = [followed] {
-    return followed->support_work ? followed->support_work->done() : followed->support_work_before;
+  simulation.external_work = [followed] {
+    std::vector<NamedEnergy> works;
+    if (followed->work)
+      for (const auto& [action, done] : followed->work->done()) works.push_back({action, done});
+    return works;
   };
-  simulation.moves_supports = std::any_of(body->supports.begin(), body->supports.end(),
-                                          [](const auto& support) { return support.velocity != 0; });
-  simulation.has_other_work = has_other_work(*body);
+  simulation.has_other_work = body->control.rest.has_value();
   give_reactions(simulation, followed);
   look_for_rest(simulation, followed);
   simulation.counts = [body] { return counts_of(*body); };

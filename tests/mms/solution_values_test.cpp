@@ -68,6 +68,36 @@ Vec<d> column(const Vec<d>& X, double t) {
 }
 
 template <int d>
+Vec<d> driven_bar(const Vec<d>& X, double t) {
+  return unit<d>(0.01 * std::sin(2 * X[0]) * std::sin(2 * pressure_speed * t));
+}
+template <int d>
+Vec<d> churchill(const Vec<d>& X, double t) {
+  const double x = turn / 4 * X[0], phase = turn / 4 * pressure_speed * t, factor = 32 / (turn * turn);
+  return unit<d>(0.01 *
+                 (X[0] - factor * (std::sin(x) * std::cos(phase) - std::sin(3 * x) * std::cos(3 * phase) / 9 +
+                                   std::sin(5 * x) * std::cos(5 * phase) / 25)));
+}
+/// In polar coordinates; nu = 0.3, plane strain.
+Vec<2> kirsch(const Vec<2>& X, double) {
+  const double r = X.norm(), a = std::atan2(X[1], X[0]), k = 3 - 4 * 0.3;
+  return 1e-3 / 8 *
+         Vec<2>(r * (k + 1) * std::cos(a) + 2 / r * ((1 + k) * std::cos(a) + std::cos(3 * a)) -
+                    2 / std::pow(r, 3) * std::cos(3 * a),
+                r * (k - 3) * std::sin(a) + 2 / r * ((1 - k) * std::sin(a) + std::sin(3 * a)) -
+                    2 / std::pow(r, 3) * std::sin(3 * a));
+}
+Vec<2> ring(const Vec<2>& X, double) {
+  return 1e-3 / 6 * ((1 - 2 * 0.3) + 4 / X.squaredNorm()) * X;
+}
+/// nu/(1 - nu) = 3/7 in plane strain; P/(6 E I) = 3e-4/(6 x 2 (1 + 3/7) x 27/12).
+Vec<2> beam(const Vec<2>& X, double) {
+  const double c = 3e-4 / (6 * 2 * (1 + 3 / 7.0) * 27 / 12), nu = 3 / 7.0, x = X[0], y = X[1];
+  return c * Vec<2>(-y * ((48 - 3 * x) * x + (2 + nu) * (y * y - 2.25)),
+                    3 * nu * y * y * (8 - x) + (4 + 5 * nu) * 9 * x / 4 + (24 - x) * x * x);
+}
+
+template <int d>
 std::vector<Formula<d>> formulas() {
   const Vec<d> zero = Vec<d>::Zero(), one = Vec<d>::Ones();
   Vec<d> foot = Vec<d>::Constant(-0.5), tall = one;
@@ -76,7 +106,9 @@ std::vector<Formula<d>> formulas() {
                                  {"rigid-rotation", turn / 105, zero, one, rotation<d>},
                                  {"standing-wave", 2 / pressure_speed, zero, one, standing<d>},
                                  {"travelling-wave", 1 / pressure_speed, zero, one, travelling<d>},
-                                 {"stretched-column", 0.2, foot, tall, column<d>}};
+                                 {"stretched-column", 0.2, foot, tall, column<d>},
+                                 {"loaded-bar", turn / (2 * pressure_speed), zero, one, driven_bar<d>},
+                                 {"churchill-bar", 4 / pressure_speed, zero, one, churchill<d>}};
   if constexpr (d == 2) {
     const double w = turn / 4 * std::sqrt(2 * mu / 7850);
     all.push_back({"swinging-plate", turn / w, zero, 2 * one, [w](const Vec<2>& X, double t) {
@@ -90,6 +122,15 @@ std::vector<Formula<d>> formulas() {
                                   s = std::sin(angle);
                      return Vec<2>(c * X[0] - s * X[1] - X[0], s * X[0] + c * X[1] - X[1]);
                    }});
+    const double shear_speed = std::sqrt(mu / 7850), swing = turn / 2 * std::sqrt(2 * mu / 7850);
+    all.push_back({"lame-mode", turn / swing, zero, one, [swing](const Vec<2>& X, double t) {
+                     const double a = turn / 2 * X[0], b = turn / 2 * X[1];
+                     return Vec<2>(0.01 * std::sin(swing * t) *
+                                   Vec<2>(std::cos(a) * std::sin(b), -std::sin(a) * std::cos(b)));
+                   }});
+    all.push_back({"kirsch-plate", 1 / shear_speed, -2 * one, 4 * one, kirsch});
+    all.push_back({"lame-ring", 1 / shear_speed, -2 * one, 4 * one, ring});
+    all.push_back({"plane-cantilever", 8 / shear_speed, Vec<2>(0, -1.5), Vec<2>(8, 3), beam});
   } else {
     const double w = turn / 2 * std::sqrt(3 * mu / 7850);
     all.push_back({"trigonometric-cube", turn / w, zero, one, [w](const Vec<3>& X, double t) {

@@ -129,6 +129,16 @@ class Invention {
     }
     out << '\n';
   }
+  /// A tip that comes and goes three times.
+  void write_swing() {
+    std::ofstream out(place_ / "series.csv");
+    out.precision(17);
+    out << "time [s],tip displacement x [m],tip displacement y [m]\n";
+    for (int n = 0; n <= 60; ++n) {
+      const double t = 0.05 * n, swing = std::cos(6.3 * t) - 1;
+      out << t << ',' << 0.014 * swing << ',' << 0.065 * swing << '\n';
+    }
+  }
   Json oned(const Words& w);
   Json refinement(const Words& w);
   Json work_precision(const Words& w);
@@ -360,7 +370,10 @@ inline Json Invention::run(const Words& w) {
   std::vector<std::string> columns{"time [s]"};
   for (const char* part : {"kinetic", "strain", "total"}) columns.push_back(part + (" energy" + per));
   columns.insert(columns.end(), {"angular momentum z [kg m/s]", "tip displacement y [m]", "hourglass share"});
-  write_table("series.csv", columns);
+  if (w.at("file").starts_with("flag-swinging"))
+    write_swing();
+  else
+    write_table("series.csv", columns);
   write_table("budget.csv", {"time [s]", "stress: angular momentum z [kg m/s]", "stress: energy" + per,
                              "jst: angular momentum z [kg m/s]", "jst: energy" + per,
                              "gap of linear momentum", "gap of angular momentum", "gap of energy"});

@@ -97,38 +97,13 @@ BlockLaw<d> evolved_law(const Polyconvex& law) {
   return made;
 }
 
-/// The values of a history in a field, one after the other.
-template <class History>
-void load_history(History& history, const Field& from, Index i) {
-  int k = 0;
-  history.fields([&](std::string_view, std::string_view, auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      value = from[k++][i];
-    else
-      for (int n = 0; n < 9; ++n) value(n / 3, n % 3) = from[k++][i];
-  });
-}
-template <class History>
-void store_history(History& history, Field& to, Index i) {
-  int k = 0;
-  history.fields([&](std::string_view, std::string_view, auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      to[k++][i] = value;
-    else
-      for (int n = 0; n < 9; ++n) to[k++][i] = value(n / 3, n % 3);
-  });
-}
-
 /// Stages map back from the history of the step's start; it is committed once, with the F of the step's end.
 template <int d, class M>
 BlockLaw<d> history_law(const M& law) {
   using History = typename M::History;
   BlockLaw<d> made;
-  History().fields([&](std::string_view name, std::string_view unit, auto& value) {
-    const bool tensor = !std::is_same_v<std::decay_t<decltype(value)>, double>;
-    made.history.push_back({std::string(name), std::string(unit), made.history_components, tensor});
-    made.history_components += tensor ? 9 : 1;
-  });
+  made.history = history_values<History>();
+  for (const HistoryValue& value : made.history) made.history_components += value.components();
   const int work = made.history_components++;
   made.plastic_work = work;
   made.history.push_back({"plastic work", "J/m^3", work, false});

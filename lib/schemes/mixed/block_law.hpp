@@ -4,18 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "lib/material/history_field.hpp"
 #include "lib/material/law.hpp"
 #include "lib/schemes/mixed/mixed_state.hpp"
 
 namespace plumb {
-
-/// Describes one value of a law's history, for files: where it starts in the field, and whether it is a
-/// tensor.
-struct HistoryValue {
-  std::string name, unit;
-  int first;
-  bool tensor;
-};
 
 /// Deformation gradient and first Piola-Kirchhoff stress [Pa] of one particle in three dimensions.
 struct WholePoint {

@@ -109,6 +109,9 @@ Scene read_for_modes(const std::string& file, const std::vector<std::string>& ov
 /// The lowest vibrations about a state of the scene's body.
 template <int d>
 Json loaded_vibrations(const Scene& scene, const std::string& file, int count) {
+  if (has_history(scene.material.model))
+    throw InputError(fmt::format("--at with a body of \"{}\"", scene.material.model),
+                     "its stiffness depends on what was before", "leave out --at, or name an elastic law");
   const LoadedBody<d> body = loaded_body<d>(scene, saved_state<d>(scene, file));
   Balance<d> balance = body.balance();
   Json modes = Json::array();

@@ -57,6 +57,10 @@ Json failure_json(const std::optional<Failure>& failure) {
           {"value", failure->value}};
 }
 
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
 template <int d>
 Json energy_json(const FinishedRun<d>& run) {
   const EnergyBudget energy = energy_budget(run);
@@ -71,9 +75,11 @@ Json energy_json(const FinishedRun<d>& run) {
           // A body at rest has no energy to compare with.
           {"relative_change", energy.initial > round_off ? Json(energy.total / energy.initial - 1) : Json()},
           {"terms", terms},
-          {"dissipated", energy.dissipated ? Json(*energy.dissipated) : Json()},
-          {"support_work", energy.support_work ? Json(*energy.support_work) : Json()},
-          {"net_change", energy.net_change ? Json(*energy.net_change) : Json()}};
+          {"dissipated", number_or_null(energy.dissipated)},
+          {"load_work", number_or_null(energy.load_work)},
+          {"damping_work", number_or_null(energy.damping_work)},
+          {"support_work", number_or_null(energy.support_work)},
+          {"net_change", number_or_null(energy.net_change)}};
 }
 
 template <int d>
@@ -93,15 +99,27 @@ EnergyBudget energy_budget(const FinishedRun<d>& run) {
   const auto& simulation = run.simulation;
   const SchemeEnergy now = simulation.energy();
   const double initial = run.record.initial_energy.value();
-  EnergyBudget budget{now.kinetic, now.strain, now.total(), initial, {}, {}, {}, {}};
+  EnergyBudget budget;
+  budget.kinetic = now.kinetic;
+  budget.strain = now.strain;
+  budget.total = now.total();
+  budget.initial = initial;
   for (const auto& more : now.more) budget.terms[more.name] += more.value;
   budget.dissipated = now.dissipated;
-  if (simulation.support_work) budget.support_work = simulation.support_work();
-  const double work = budget.support_work.value_or(0);
-  const double scale = initial + std::abs(work);
+  double scale = initial;
+  if (simulation.external_work) {
+    budget.load_work = budget.damping_work = budget.support_work = 0;
+    for (const auto& [action, done] : simulation.external_work()) {
+      budget.at_work.push_back(action);
+      (action == "loads"     ? budget.load_work
+       : action == "damping" ? budget.damping_work
+                             : budget.support_work) = done;
+      scale += std::abs(done);
+    }
+  }
   const double round_off = simulation.energy_round_off ? simulation.energy_round_off() : 0;
   if (scale > round_off && !simulation.has_other_work)
-    budget.net_change = (now.total() - initial - work) / scale;
+    budget.net_change = (now.total() - initial - budget.work()) / scale;
   return budget;
 }
 

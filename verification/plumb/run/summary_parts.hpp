@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lib/measures/measures.hpp"
 #include "verification/plumb/run/summary.hpp"
@@ -12,14 +13,18 @@ namespace plumb::app {
 /// Where the energy of the last state is, and where it came from [J] (per metre of thickness in 2D):
 /// total = kinetic + strain + all terms.
 struct EnergyBudget {
-  double kinetic, strain, total, initial;
+  double kinetic = 0, strain = 0, total = 0, initial = 0;
   std::map<std::string, double> terms;  ///< of the optional terms that have one, by name ("hourglass")
-  std::optional<double> support_work;   ///< of supports that move; empty: the scheme does not account for it
+  /// Work of loads, of damping and of supports that move, since the start; empty: the scheme does not account for it.
+  std::optional<double> load_work, damping_work, support_work;
+  std::vector<std::string> at_work;  ///< which of them there are: "loads", "damping", "supports"
   std::optional<double>
       dissipated;  ///< turned into heat by the scheme since the start; empty: it does not say
-  /// (total - initial - support work) / (initial + |support work|): none for a body at rest, whose energy
-  /// is round-off.
+  /// (total - initial - works) / (initial + sum of |works|): none for a body at rest, whose energy is round-off, and none
+  /// where something else does work.
   std::optional<double> net_change;
+
+  double work() const { return load_work.value_or(0) + damping_work.value_or(0) + support_work.value_or(0); }
 };
 template <int d>
 EnergyBudget energy_budget(const FinishedRun<d>& run);

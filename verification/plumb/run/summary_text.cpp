@@ -32,11 +32,17 @@ std::string energy_text(const FinishedRun<d>& run) {
                                  energy.kinetic, energy.strain);
   for (const auto& [name, value] : energy.terms) text += fmt::format(" + {} {:.9g}", name, value);
   text += fmt::format("\n  at the start {:.9g} {}", energy.initial, unit);
-  const bool moved = run.simulation.moves_supports && energy.support_work;
-  if (moved) text += fmt::format(", work of moving supports {:.9g} {}", *energy.support_work, unit);
-  if (energy.net_change)
+  for (const std::string& action : energy.at_work) {
+    const double done = (action == "loads"     ? energy.load_work
+                         : action == "damping" ? energy.damping_work
+                                               : energy.support_work)
+                            .value();
     text +=
-        fmt::format(": a change of {:+.3g} %{}", 100 * *energy.net_change, moved ? " net of that work" : "");
+        fmt::format(", work of {}{} {:.9g} {}", action == "supports" ? "moving " : "", action, done, unit);
+  }
+  if (energy.net_change)
+    text += fmt::format(": a change of {:+.3g} %{}", 100 * *energy.net_change,
+                        energy.at_work.empty() ? "" : " net of that work");
   if (energy.dissipated) text += fmt::format("; dissipated {:.9g} {}", *energy.dissipated, unit);
   return text + "\n";
 }

@@ -169,7 +169,10 @@ Term<d> held_term(const Solid<d>& solid, const Actions<d>& actions) {
     std::vector<HeldPlace<d>>().swap(boundary.places);  // they are in the entries
   Term<d> term;
   term.name = "supports";
-  term.bytes = entries->size() * sizeof(HeldEntry<d>);
+  for (const HeldEntry<d>& entry : *entries) term.held.emplace_back(entry.slot, entry.component);
+  std::sort(term.held.begin(), term.held.end());
+  term.held.erase(std::unique(term.held.begin(), term.held.end()), term.held.end());
+  term.bytes = entries->size() * sizeof(HeldEntry<d>) + term.held.size() * sizeof(term.held[0]);
   term.second = [entries, held](const Solid<d>& body, const Block& block, const Instant<d>& now,
                                 BlockForce<d>& force) {
     for (auto at = first_in(*entries, block.begin()); at != entries->end() && at->slot < block.end(); ++at) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "lib/core/error.hpp"
 #include "lib/material/plane_stress.hpp"
+#include "lib/schemes/tlsph/loops/history_sweeps.hpp"
 #include "lib/schemes/tlsph/loops/make_sweeps.hpp"
 
 namespace plumb {
@@ -15,8 +16,10 @@ Sweeps<d> law_sweeps(const LawChoice& choice, const Elastic& elastic, const Bond
       if (choice.plane == Plane::stress) return sweeps_of<d>(PlaneStress<M>(law), bonds);
     return sweeps_of<d>(law, bonds);
   } else {
-    throw InputError("a body of " + choice.name, "its history is not carried through time steps",
-                     "`plumb material` drives it at one point");
+    if (d == 2 && choice.plane == Plane::stress)
+      throw InputError(choice.name + " under plane stress", "laws with history are for plane strain in 2D",
+                       "leave out [material] plane");
+    return history_sweeps<d>(law, bonds);
   }
 }
 

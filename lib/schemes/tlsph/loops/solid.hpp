@@ -62,6 +62,9 @@ struct Term {
   /// Changes the forces of all slots at once, when they are known up to this term; at most one term has it.
   /// Forces are stored, and terms behind it may not read the state of other slots.
   std::function<void(const Solid<d>&, const Instant<d>&, const Arm<d>&, Field& force)> whole;
+  /// Slots and components whose motion it prescribes, each once, sorted: what their velocity changes by in a step is its
+  /// doing, THEORY (8.6).
+  std::vector<std::pair<Index, int>> held = {};
   bool needs_F = false;   ///< the deformation gradient is stored
   bool internal = false;  ///< its force belongs to the strain energy, with the internal force
   /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
@@ -74,6 +77,9 @@ struct Term {
 template <int d>
 using Tangent = Eigen::Matrix<double, d * d, d * d>;
 
+template <int d>
+struct BodyHistory;
+
 /// The loops for one material and one kind of table, chosen once.
 template <int d>
 struct Sweeps {
@@ -82,6 +88,7 @@ struct Sweeps {
   std::function<void(const BondTable<d>&, const StressWindow& P, const Block&, BlockForce<d>&)> force;
   std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF at F, for linearisation
   std::size_t bytes = 0;                               ///< of tables of their own
+  std::shared_ptr<BodyHistory<d>> history = {};  ///< of a law with history (body_history.hpp); null: none
 };
 
 /// A particle whose deformation gradient has no positive determinant.
@@ -97,7 +104,7 @@ struct Outcome {
 };
 
 /// A body of one material: its bonds, its loops and whatever optional terms the scene names. Steps do not change it: what an
-/// evaluation writes is in a Workspace. Whoever watches a run (Budget, SupportWork) adds terms that only read, before the
+/// evaluation writes is in a Workspace. Whoever watches a run (Budget, ExternalWork) adds terms that only read, before the
 /// first step.
 template <int d>
 struct Solid {

@@ -52,6 +52,13 @@ double force_power(const Solid<d>& solid, const Block& block, const State<d>& st
   return power;
 }
 
+/// The particle at a slot that has one.
+template <int d>
+Index particle_of(const Solid<d>& solid, Index slot) {
+  const Slots& slots = solid.bonds.slots;
+  return slots.line == 0 ? slot : slot / slots.stride * slots.line + slot % slots.stride;
+}
+
 /// Strain energy and that of the terms [J].
 template <int d>
 double potential_energy(const Solid<d>& solid, const State<d>& state) {
@@ -71,8 +78,10 @@ const BudgetPart& BudgetSums::part(const std::string& name) const {
 template <int d>
 struct Budget<d>::Account {
   std::vector<double> weights;
-  bool carries;                   ///< the last evaluation of a step is the first of the next (Verlet)
-  std::vector<char> has_energy;   ///< per force: it belongs to a potential energy
+  bool carries;                  ///< the last evaluation of a step is the first of the next (Verlet)
+  std::vector<char> has_energy;  ///< per force: it belongs to a potential energy
+  std::vector<std::pair<std::size_t, std::pair<Index, int>>>
+      held;                       ///< part, and slot and component that it holds
   std::size_t last_internal = 0;  ///< the force after which all of the internal force is there
   /// Per force, the sum of it and of those before it, times the weights [N/m^d]: of this step so far, and of
   /// its last evaluation.
@@ -153,6 +162,7 @@ Budget<d>::Budget(Solid<d>& solid, const State<d>& state, const std::vector<doub
     const std::string name = term.name;
     const bool energy = term.energy || term.internal;
     if (term.internal) account_->last_internal = step_.parts.size();
+    for (const auto& place : term.held) account_->held.push_back({step_.parts.size(), place});
     terms.push_back(std::move(term));
     add_probe(name, energy);
   }
@@ -202,6 +212,20 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
     scale.linear[0] += m * v.norm();
     scale.angular[0] += m * x.norm() * v.norm();
     scale.energy += 0.5 * m * v.squaredNorm();
+  }
+  // supports set velocities at the end of the step: what no force has done is theirs
+  for (const auto& [part, place] : a.held) {
+    const auto [i, k] = place;
+    const double v0 = a.before.v[k][i], v1 = state.v[k][i];
+    const double rest = solid.volume[i] * (solid.elastic.density * (v1 - v0) - dt * a.impulse.back()[k][i]);
+    if (rest == 0) continue;
+    const Index p = particle_of(solid, i);
+    const Vec<3> x =
+        in_space<d>(Vec<d>(0.5 * (position_of(solid, a.before, p) + position_of(solid, state, p))));
+    const Vec<3> impulse = rest * Vec<3>::Unit(k);
+    step_.parts[part].linear += impulse;
+    step_.parts[part].angular += x.cross(impulse);
+    step_.parts[part].energy += 0.5 * (v0 + v1) * rest;
   }
   BudgetPart explained;
   for (const auto& part : step_.parts) add(part, explained);

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "reports/checks.hpp"
+#include "reports/named.hpp"
+#include "reports/results.hpp"
+#include "reports/section.hpp"
+#include "reports/swing.hpp"
+
+namespace plumb::reports::sections {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One run of the swinging flag.
+struct FlagRun {
+  std::string id, name;
+  std::vector<std::string> set;
+  bool judged;  ///< the checks are for this resolution
+};
+
+const std::vector<FlagRun> quick{
+    {"flag-8",
+     "8 cells across, 10 s",
+     {"body.spacing=0.0025", "boundary.0.where=(X + 0.05)^2 + (Y - 0.01)^2 < 0.05125^2"},
+     false}};
+const std::vector<FlagRun> slow{{"flag-20", "20 cells across, 10 s", {}, true}};
+
+std::vector<FlagRun> runs_of(bool long_run) {
+  std::vector<FlagRun> all = quick;
+  if (long_run) all.insert(all.end(), slow.begin(), slow.end());
+  return all;
+}
+
+/// What Turek and Hron print, and the number of a swing that is compared with it.
+struct Number {
+  std::string name, column, unit;
+  double Swing::*member;
+  double factor, published;
+};
+
+const std::vector<Number> numbers{
+    {"height, mean", "tip displacement y [m]", "mm", &Swing::mean, 1e3, -63.607},
+    {"height, amplitude", "tip displacement y [m]", "mm", &Swing::amplitude, 1e3, 65.160},
+    {"height, frequency", "tip displacement y [m]", "Hz", &Swing::frequency, 1, 1.0995},
+    {"along the bar, mean", "tip displacement x [m]", "mm", &Swing::mean, 1e3, -14.305},
+    {"along the bar, amplitude", "tip displacement x [m]", "mm", &Swing::amplitude, 1e3, 14.305},
+};
+
+const std::vector<double>& column(const std::map<std::string, std::vector<double>>& table,
+                                  const std::string& name) {
+  const auto found = table.find(name);
+  if (found == table.end()) throw MissingResult("a table has no column \"" + name + "\"");
+  return found->second;
+}
+
+Figure history(const Results& results, const FlagRun& run) {
+  const auto series = results.csv(run.id, "series.csv");
+  Picture picture{"Tip of the swinging flag", {"time t", "s"}, {"displacement", "mm"}};
+  for (const auto& [label, name] : {std::pair("height", "tip displacement y [m]"),
+                                    std::pair("along the bar", "tip displacement x [m]")}) {
+    std::vector<double> shown;
+    for (const double u : column(series, name)) shown.push_back(1e3 * u);
+    picture.series.push_back({label, column(series, "time [s]"), shown, Style::lines});
+  }
+  return {run.id + "-tip", picture, run.name + ".", {run.id}};
+}
+
+Section write(const Results& results, const std::vector<FlagRun>& all) {
+  Section s;
+  s.question = "Does the elastic flag of Turek and Hron swing as published?";
+  s.tables = {{"flag",
+               "Last swing of the flag: ours, published, off by",
+               {{"run"},
+                {"quantity"},
+                {"unit"},
+                {"ours", "", 5},
+                {"published", "", 5},
+                {"off by", "%", 2},
+                {"particles", "", 0},
+                {"CPU time", "s", 3}},
+               {}}};
+  DataTable& table = s.tables[0];
+  double worst = 0;
+  for (const FlagRun& run : all) {
+    const Json result = results.json(run.id);
+    const auto series = results.csv(run.id, "series.csv");
+    s.figures.push_back(history(results, run));
+    worst = 0;
+    for (const Number& of : numbers) {
+      const Swing swing = last_swing(column(series, "time [s]"), column(series, of.column));
+      const double ours = of.factor * (swing.*of.member), off = ours / of.published - 1;
+      worst = std::max(worst, std::abs(off));
+      table.rows.push_back({run.name, of.name, of.unit, ours, of.published, 100 * off,
+                            number(result, "particles"), number(result.at("timing"), "cpu_s")});
+      table.row_jobs.push_back(run.id);
+      if (!run.judged) continue;
+      Check check = as(CheckKind::reproduced,
+                       number_check("swinging flag, " + of.name, ours, of.published, 0.01, "one per cent"));
+      check.job = run.id;
+      s.checks.push_back(std::move(check));
+    }
+    table.jobs.push_back(run.id);
+  }
+  s.answer = fmt::format("All numbers of the last swing are within {:.2g} % of the published ones, on {}.",
+                         100 * worst, all.back().name);
+  s.notes = {
+      "S. Turek and J. Hron, Proposal for numerical benchmarking of fluid-structure interaction, Lect. Notes Comput. "
+      "Sci. Eng. 53, 371 (2006), CSM3. Mean and amplitude are half sum and half difference of the highest and the "
+      "lowest value of a swing, as they have them."};
+  return s;
+}
+
+}  // namespace
+
+/// CSM3 of Turek and Hron: a clamped bar that is let go under its weight.
+SectionPlan flag(bool long_run) {
+  const auto all = runs_of(long_run);
+  SectionPlan plan{507, "flag", "Swinging flag", {}, [all](const Results& r) { return write(r, all); }};
+  for (const FlagRun& run : all) {
+    const std::string file = "verification/scenes/flag-swinging.toml";
+    Job job{run.id, {"run", file, "--out", "{out}"}, {file}};
+    for (const auto& entry : run.set) job.arguments.insert(job.arguments.end(), {"--set", entry});
+    plan.jobs.push_back(std::move(job));
+  }
+  return plan;
+}
+
+}  // namespace plumb::reports::sections
