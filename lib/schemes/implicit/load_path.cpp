@@ -91,6 +91,7 @@ std::vector<Reaction<d>> LoadPath<d>::reactions(const BodyMotion& equilibrium) {
   return reactions;
 }
 
+template class LoadPath<1>;
 template class LoadPath<2>;
 template class LoadPath<3>;
 

@@ -88,6 +88,7 @@ void SupportWork<d>::observe(const State<d>& state) {
   a.evaluation = 0;
 }
 
+template class SupportWork<1>;
 template class SupportWork<2>;
 template class SupportWork<3>;
 
