@@ -15,8 +15,8 @@ constexpr double near_incompressible = 0.49;
 std::vector<std::string> limits_of_a_bar(const Method& method) {
   if (method.hourglass) return {};
   return {
-      "motion that alternates from particle to particle has nearly no energy in a bar, whatever the gradient; smooth "
-      "motion does not set it off, a sudden load may: add [hourglass], which gives it one"};
+      "motion that alternates from particle to particle is as soft in a bar as smooth motion, whatever the "
+      "gradient; a smooth start does not set it off, a sudden load may: add [hourglass], which stiffens it"};
 }
 
 }  // namespace

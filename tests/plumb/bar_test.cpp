@@ -22,7 +22,7 @@ class Bar : public testing::Test {
   test::SceneFolder folder_;
 };
 
-/// After 5/4 of the period 4 L/c the end passes through zero, at the speed of the amplitude.
+/// After 5/4 of the period 4 L/c the end passes through zero, at the speed of the amplitude: u = A cos(omega t).
 TEST_F(Bar, RingsWithItsPeriodByEveryScheme) {
   const double amplitude = 1e-4, omega = std::numbers::pi / 2 * 1000;  // c/L pi/2 [1/s]
   for (const std::string scheme : {"tlsph", "mixed", "updated", "element"}) {
@@ -35,7 +35,7 @@ TEST_F(Bar, RingsWithItsPeriodByEveryScheme) {
     // dissipation of the updated scheme takes some of the amplitude
     EXPECT_NEAR(end["displacement"][0].get<double>() / amplitude, 0, 3e-3 * (scheme == "updated" ? 10 : 1))
         << scheme;
-    EXPECT_NEAR(end["velocity"][0].get<double>() / (amplitude * omega), 1, scheme == "updated" ? 0.1 : 2e-3)
+    EXPECT_NEAR(end["velocity"][0].get<double>() / (amplitude * omega), -1, scheme == "updated" ? 0.1 : 2e-3)
         << scheme;
   }
 }
@@ -89,7 +89,7 @@ TEST_F(Bar, IsExplained) {
     EXPECT_NE(said.out.find("ringing bar (1D) solves"), std::string::npos) << said.out;
     if (scheme != "tlsph") continue;
     EXPECT_NE(said.out.find("in uniaxial strain"), std::string::npos) << said.out;
-    EXPECT_NE(said.out.find("alternates from particle to particle"), std::string::npos) << said.out;
+    EXPECT_NE(said.out.find("alternates"), std::string::npos) << said.out;
   }
 }
 
@@ -99,7 +99,8 @@ TEST_F(Bar, HasItsFrequencies) {
   ASSERT_EQ(said.code, 0) << said.error;
   const json modes = json::parse(said.out)["modes"];
   for (int n = 1; n <= 3; ++n)  // (2 n - 1) c/(4 L)
-    EXPECT_NEAR(modes[n - 1]["hz"].get<double>() / (250.0 * (2 * n - 1)), 1, 2e-3 * n * n) << n;
+    EXPECT_NEAR(modes[n - 1]["hz"].get<double>() / (250.0 * (2 * n - 1)), 1, 5e-4 * n * n)
+        << n;  // (k d)^2/6 and less at d = L/50
 }
 
 TEST(StandingBar, ConvergesAtOrderTwoByEverySchemeThatIsOfOrderTwo) {
@@ -113,13 +114,13 @@ TEST(StandingBar, ConvergesAtOrderTwoByEverySchemeThatIsOfOrderTwo) {
   }
 }
 
-/// Uniform strain in motion: round-off.
-TEST(StandingBar, MovesAnAffineBarToRoundOff) {
-  const auto said = run_plumb("mms " + studies +
-                              "affine_patch.toml --set body.size=[1] --set study.force=finite-strain "
-                              "--set 'study.spacings=[0.1]' --quiet --json - --unfinished \"\"");
+/// Uniform strain is an equilibrium to round-off.
+TEST(StandingBar, AnAffineBarIsMetToRoundOff) {
+  const auto said = run_plumb("static " + studies +
+                              "affine_patch.toml --set 'body.size=[1]' --quiet --json - --unfinished \"\"");
   const json result = json::parse(said.out);
-  EXPECT_LT(result["levels"][0]["relative_h1"].get<double>(), 1e-3) << said.error;
+  ASSERT_EQ(result["levels"].size(), 4u) << said.error;
+  for (const json& level : result["levels"]) EXPECT_LT(level["relative_l2"].get<double>(), 1e-12) << said.out;
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ Simulation<1> after(const Scene& scene) {
 }
 
 const std::string hangs =
-    "[load]\ngravity = [\"-9.81 m/s^2\"]\n[[boundary]]\nface = \"x+\"\nkind = \"clamped\"\n";
+    "[load]\ngravity = [\"-981 m/s^2\"]\n[[boundary]]\nface = \"x+\"\nkind = \"clamped\"\n";
 const std::string free_motion = "[initial]\nvelocity = [\"3 + 30*sin(pi*X)\"]\n";
 const std::string pulled =
     "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n"
@@ -56,9 +56,9 @@ const std::string pulled =
 
 /// A bar that hangs on x+ has the stress rho g X; u = rho g (X^2 - L^2)/(2 M).
 TEST(Bars, OneThatHangsHasItsWeightInEveryCrossSection) {
-  const double weight = density * 9.81;
+  const double weight = density * 981;  // strains of 1e-3, far above rounding; the law is linear in them
   for (const std::string scheme : {"implicit", "relaxed", "element"}) {
-    const std::string more = scheme == "relaxed"   ? "[relaxation]\nresidual = 1e-11\n"
+    const std::string more = scheme == "relaxed"   ? "[relaxation]\nresidual = 1e-10\n"
                              : scheme == "element" ? "[element]\nsolve = \"newton\"\n"
                                                    : "";
     auto rest = after(bar(scheme == "relaxed" ? "tlsph" : scheme, more + hangs, 20, "1 s"));
@@ -66,15 +66,18 @@ TEST(Bars, OneThatHangsHasItsWeightInEveryCrossSection) {
     for (std::size_t i = 0; i < shown.X.size(); ++i) {
       const double X = shown.X[i][0], exact = weight * (X * X - 1) / (2 * modulus);
       if (scheme == "element") {  // linear elements are exact at the nodes, and each has its middle's stress
-        EXPECT_NEAR(shown.u[i][0], exact, 1e-9 * weight / modulus);
+        EXPECT_NEAR(shown.u[i][0], exact, 1e-8 * weight / modulus);
         continue;
       }
-      // differences over two cells and their sums at an even number of cells: linear stresses are met at every
-      // particle, and displacements at every second one, from the held end. Small strain: J - 1 = 1e-5.
-      EXPECT_NEAR(shown.cauchy[i](0, 0) / weight, X, 2e-5) << scheme << ' ' << X;
-      EXPECT_NEAR(shown.cauchy[i](1, 1), 0.25 / 0.75 * shown.cauchy[i](0, 0), 2e-5 * weight)
-          << "uniaxial strain";
-      if ((shown.X.size() - 1 - i) % 2 == 0) EXPECT_NEAR(shown.u[i][0], exact, 1e-8 * weight / modulus);
+      // differences over two cells, at an even number of cells: linear stresses are met at every particle, and
+      // displacements at every second one from the held end. P = sigma_11 in 1D.
+      EXPECT_NEAR(shown.cauchy[i](0, 0) / weight, X, 1e-8) << scheme << ' ' << X;
+      // lambda/(lambda + 2 mu) = nu/(1 - nu): the stretches across are held
+      EXPECT_NEAR(shown.cauchy[i](1, 1) * shown.F[i](0, 0), 0.25 / 0.75 * shown.cauchy[i](0, 0),
+                  1e-8 * weight);
+      if ((shown.X.size() - 1 - i) % 2 == 0) {
+        EXPECT_NEAR(shown.u[i][0], exact, 1e-8 * weight / modulus);
+      }
     }
     const auto reactions = rest.reactions();
     ASSERT_EQ(reactions.size(), 1u);
@@ -92,7 +95,7 @@ TEST(Bars, AFreeOneKeepsItsMomentumAndHasNoAngularOne) {
     // of the trapezoidal rule on 20 cells: sin(pi X) has the mean cot(pi/40)/20 = 0.63531
     EXPECT_NEAR(before.linear[0], density * (3 + 30 * 0.05 / std::tan(std::numbers::pi / 40)), 1e-8)
         << scheme;
-    EXPECT_NEAR(now.linear[0], before.linear[0], 1e-13 * before.linear_scale * 100) << scheme;
+    EXPECT_NEAR(now.linear[0], before.linear[0], 1e-11 * before.linear_scale) << scheme;
     for (const double L : now.angular) EXPECT_EQ(L, 0) << scheme;
   }
 }
@@ -145,7 +148,7 @@ TEST_P(BarsBy, HaveTheSameBitsOnOneAndTwoThreads) {
   std::vector<SavedState> ends;
   for (const int n : {1, 2}) {
     omp_set_num_threads(n);
-    Scene scene = bar(GetParam(), pulled, 6000, "0.9 us");  // enough particles for two threads
+    Scene scene = bar(GetParam(), pulled, 6000, GetParam() == "implicit" ? "1 ms" : "0.9 us");
     ends.push_back(after(scene).save());
   }
   omp_set_num_threads(threads);
@@ -162,7 +165,7 @@ TEST_P(BarsBy, PutTheTractionIntoTheStress) {
   // behind the front of the ramp: X > 1 - 0.6 m; an equilibrium has it everywhere. The updated scheme has another law and
   // dissipation at the front.
   for (std::size_t i = 60; i + 2 < shown.X.size(); ++i)
-    EXPECT_NEAR(shown.cauchy[i](0, 0), 30e6, GetParam() == "updated" ? 0.9e6 : 0.1e6) << shown.X[i][0];
+    EXPECT_NEAR(shown.cauchy[i](0, 0), 30e6, GetParam() == "updated" ? 0.9e6 : 0.2e6) << shown.X[i][0];
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BarsBy, testing::ValuesIn(scheme_names()),
@@ -203,7 +206,10 @@ TEST(Bars, WithoutHourglassEnergyAlternatingMotionIsFree) {
   const Scene scene = bar("tlsph", held);
   const TlsphBody<1> body = make_tlsph<1>(scene);
   LinearOperator<1> op(body.solid, body.supports);
-  EXPECT_GT(spectrum_of(op).low.spurious_below_smooth.found + 0, -1);
+  const Spectrum spectrum = spectrum_of(op);
+  ASSERT_GE(spectrum.low.modes.size(), 2u);
+  EXPECT_EQ(spectrum.low.modes[0].kind, ModeKind::smooth);
+  EXPECT_EQ(spectrum.low.modes[1].kind, ModeKind::spurious) << "softer than the second smooth mode";
   ASSERT_EQ(limits_of(scene).size(), 1u);
   EXPECT_NE(limits_of(scene)[0].find("alternat"), std::string::npos);
   EXPECT_TRUE(limits_of(bar("tlsph", held + "[hourglass]\nalpha = 2\n")).empty());

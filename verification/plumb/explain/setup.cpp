@@ -16,16 +16,12 @@ struct Growth {
 };
 /// Measured for THEORY chapter 11: factors on the plate of 81 x 81 and on a cube of 22^3 (a lattice whose
 /// bonds reach one layer), iterations on the jittered cube of 47^3.
-constexpr Growth bars {
-  @BARS @
-}
-, factors_2d{0.79, 6561, 1.5}, factors_3d{36, 10648, 2}, iterations_3d{23, 103823, 1.08};
+constexpr Growth factors_2d{0.79, 6561, 1.5}, factors_3d{36, 10648, 2}, iterations_3d{23, 103823, 1.08};
 
 template <int d>
 double expected(const Cloud<d>& cloud, double R) {
   const auto n = static_cast<double>(cloud.size());
-  if (d == 1) return bars(n);
-  if (d == 2) return factors_2d(n);
+  if (d <= 2) return factors_2d(n);  // at most that for a bar, whose matrix is a band
   const bool thin_lattice = cloud.line > 0 && R <= 2 * cloud.spacing;
   return thin_lattice ? factors_3d(n) : iterations_3d(n);
 }

@@ -15,7 +15,8 @@ namespace plumb::app {
 namespace {
 
 /// Bytes per particle that any scene takes while it is built and run: what `plumb explain` measured as
-/// peak_rss over particles for large lattices at beta = 0.9 (@1D@2D 259, 3D 331), rounded down.
+/// peak_rss over particles for large lattices at beta = 0.9 (2D 259, 3D 331), rounded down; for bars,
+/// which were not measured, half of a plate's.
 double least_bytes(const Scene& scene) {
   return scene.dimension == 1 ? 100 : scene.dimension == 2 ? 200 : 300;
 }
