@@ -199,6 +199,7 @@ Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Man
 #define PLUMBLINE_INSTANTIATE(d)                                                                           \
   template Actions<d> actions_of<d>(const Cloud<d>&, double, const Manufactured<d>&, const DriveOptions&); \
   template Stepper<d> drive<d>(Solid<d>&, State<d>&, Stepper<d>, const Manufactured<d>&, const DriveOptions&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

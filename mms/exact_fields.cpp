@@ -67,6 +67,8 @@ ExactFields<d> exact_fields(std::string_view name, const std::map<std::string, d
   return fields;
 }
 
+template ExactFields<1> exact_fields<1>(std::string_view, const std::map<std::string, double>&,
+                                        const Elastic&, const LawChoice&, int);
 template ExactFields<2> exact_fields<2>(std::string_view, const std::map<std::string, double>&,
                                         const Elastic&, const LawChoice&, int);
 template ExactFields<3> exact_fields<3>(std::string_view, const std::map<std::string, double>&,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lib/core/dimension.hpp"
 #include "lib/geometry/shaped_cloud.hpp"
 #include "lib/scene/scheme_simulation.hpp"
 #include "lib/scene/simulation.hpp"
@@ -92,7 +93,7 @@ Loading loading_of(const Study& study) {
 double end_time(const Study& study) {
   if (study.time) return *study.time;
   return *study.periods *
-         (study.dimension() == 2 ? solution_of<2>(study).period : solution_of<3>(study).period);
+         with_dimension(study.dimension(), [&]<int d>() { return solution_of<d>(study).period; });
 }
 
 template <int d>
@@ -224,6 +225,7 @@ void measure(const Study& study, const ExactField<d>& exact, LevelRun<d>& run) {
                                             const Manufactured<d>&);                                         \
   template LevelRun<d> run_level<d>(const Study&, const Manufactured<d>&, double, const Loading&, Sitting&); \
   template void measure<d>(const Study&, const ExactField<d>&, LevelRun<d>&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

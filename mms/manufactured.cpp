@@ -9,6 +9,7 @@ namespace {
 template <class S>
 SolutionEntry entry_of() {
   SolutionEntry entry{std::string(S::name), std::string(S::summary), {}, S::defaults(), S::material()};
+  if constexpr (S::template in_dimension<1>) entry.dimensions.push_back(1);
   if constexpr (S::template in_dimension<2>) entry.dimensions.push_back(2);
   if constexpr (S::template in_dimension<3>) entry.dimensions.push_back(3);
   return entry;
@@ -68,6 +69,8 @@ Manufactured<d> manufactured(std::string_view name, const std::map<std::string, 
   return out;
 }
 
+template Manufactured<1> manufactured<1>(std::string_view, const std::map<std::string, double>&,
+                                         const Elastic&, const LawChoice&);
 template Manufactured<2> manufactured<2>(std::string_view, const std::map<std::string, double>&,
                                          const Elastic&, const LawChoice&);
 template Manufactured<3> manufactured<3>(std::string_view, const std::map<std::string, double>&,

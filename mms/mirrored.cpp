@@ -52,6 +52,7 @@ std::vector<Wall> mirror_walls(const Manufactured<d>& solution) {
   return walls;
 }
 
+template std::vector<Wall> mirror_walls<1>(const Manufactured<1>&);
 template std::vector<Wall> mirror_walls<2>(const Manufactured<2>&);
 template std::vector<Wall> mirror_walls<3>(const Manufactured<3>&);
 

@@ -215,6 +215,7 @@ ErrorNorms gauss_size(const Box<d>& box, const ExactField<d>& exact, int tiles, 
   template ErrorNorms gauss_norms<d>(const Cloud<d>&, const NodalValues<d>&, const ExactField<d>&,     \
                                      const Interpolation<d>&, int, int);                               \
   template ErrorNorms gauss_size<d>(const Box<d>&, const ExactField<d>&, int, int);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

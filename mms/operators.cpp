@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lib/convergence/status.hpp"
+#include "lib/core/dimension.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
 #include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
@@ -188,10 +189,7 @@ OperatorResult run_in(const Study& study, const StudyProgress& progress) {
 }  // namespace
 
 OperatorResult run_operators(const Study& study, const StudyProgress& progress) {
-  if (study.dimension() == 2) return run_in<2>(study, progress);
-  if (study.dimension() == 3) return run_in<3>(study, progress);
-  throw InputError(fmt::format("operators in {} dimensions", study.dimension()),
-                   "solutions exist in 2D and 3D", "Give body.size two or three entries.");
+  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress); });
 }
 
 }  // namespace plumb::mms

@@ -78,8 +78,11 @@ LevelRun<d> run_scheme_level(const Study& study, const Manufactured<d>& solution
   return out;
 }
 
+template NodalValues<1> nodal_values<1>(const Snapshot<1>&);
 template NodalValues<2> nodal_values<2>(const Snapshot<2>&);
 template NodalValues<3> nodal_values<3>(const Snapshot<3>&);
+template LevelRun<1> run_scheme_level<1>(const Study&, const Manufactured<1>&, double, const Loading&,
+                                         Sitting&);
 template LevelRun<2> run_scheme_level<2>(const Study&, const Manufactured<2>&, double, const Loading&,
                                          Sitting&);
 template LevelRun<3> run_scheme_level<3>(const Study&, const Manufactured<3>&, double, const Loading&,

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "lib/core/dimension.hpp"
 #include "lib/schemes/tlsph/statics/statics.hpp"
 #include "mms/level.hpp"
 #include "mms/manufactured.hpp"
@@ -171,10 +172,7 @@ std::vector<NormName> static_norms() {
 StaticResult run_static_study(const Study& given, const StudyProgress& progress, Sitting& sitting) {
   Study study = given;
   study.quadrature = "nodal";  // the only norms that there are
-  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
-  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
-  throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
-                   "Give body.size two or three entries.");
+  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress, sitting); });
 }
 
 }  // namespace plumb::mms

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/convergence/status.hpp"
+#include "lib/core/dimension.hpp"
 #include "mms/level.hpp"
 
 namespace plumb::mms {
@@ -162,10 +163,7 @@ double work_of(const Study& study, double spacing) {
 }
 
 StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
-  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
-  throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
-                   "Give body.size two or three entries.");
+  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress, sitting); });
 }
 
 }  // namespace plumb::mms

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/convergence/status.hpp"
+#include "lib/core/dimension.hpp"
 #include "lib/schemes/tlsph/time/catalogue.hpp"
 #include "mms/pace.hpp"
 
@@ -166,10 +167,7 @@ bool at_floor(const TemporalOrder& order, std::size_t level) {
 }
 
 TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
-  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
-  throw InputError("a study of the time step in one dimension", "solutions exist in 2D and 3D",
-                   "Give body.size two or three entries.");
+  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress, sitting); });
 }
 
 }  // namespace plumb::mms

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/sentences.hpp"
 #include "mms/level.hpp"
 
@@ -68,8 +69,8 @@ void count(const TimedRun& run, WorkPoint& point, bool warm_up) {
 
 void run_once(const Contender& variant, int turn, WorkPoint& point, Sitting& sitting) {
   const auto make = [&] {
-    return variant.study.dimension() == 2 ? make_run<2>(variant.study, point.spacing, turn == 0, sitting)
-                                          : make_run<3>(variant.study, point.spacing, turn == 0, sitting);
+    return with_dimension(variant.study.dimension(),
+                          [&]<int d>() { return make_run<d>(variant.study, point.spacing, turn == 0, sitting); });
   };
   const auto run =
       sitting.value<TimedRun>(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.spacing), make,

@@ -31,8 +31,11 @@ Picture mode_picture(const Json& mode, std::string title) {
   PointMap particles{{}, {}, {}, d, std::string("motion along ") + "XYZ"[axis]};
   for (std::size_t i = 0; i < X.size(); ++i) {
     if (X[i].size() == 3 && std::abs(X[i][2].get<double>() - X[place][2].get<double>()) > 0.5 * d) continue;
-    particles.x.push_back(X[i][0].get<double>() + d / 3 * u[i][0].get<double>());
-    particles.y.push_back(X[i][1].get<double>() + d / 3 * u[i][1].get<double>());
+    const double along = X[i].size() == 1 ? 0 : u[i][0].get<double>();
+    particles.x.push_back(X[i][0].get<double>() + d / 3 * along);
+    const std::size_t across = X[i].size() == 1 ? 0 : 1;  // a bar's motion is drawn across it
+    const double y = across == 0 ? 0 : X[i][1].get<double>();
+    particles.y.push_back(y + d / 3 * u[i][across].get<double>());
     particles.z.push_back(u[i][axis]);
   }
   Picture picture{std::move(title), {"X", "m"}, {"Y", "m"}};

@@ -63,13 +63,6 @@ std::string data_array(const std::string& name, int components, const std::vecto
       type, escaped(name), components, base64(bytes));
 }
 
-/// Vectors of `components` numbers as vectors of three, the rest zero.
-std::vector<double> padded_to_three(std::span<const double> values, int components) {
-  std::vector<double> padded(values.size() / components * 3, 0.0);
-  for (std::size_t k = 0; k < values.size(); ++k) padded[k / components * 3 + k % components] = values[k];
-  return padded;
-}
-
 std::string field_array(const PointField& field, std::size_t particles) {
   if (field.components < 1 || field.values.size() != particles * field.components)
     throw std::invalid_argument(
@@ -81,6 +74,12 @@ std::string field_array(const PointField& field, std::size_t particles) {
 }
 
 }  // namespace
+
+std::vector<double> padded_to_three(std::span<const double> values, int components) {
+  std::vector<double> padded(values.size() / components * 3, 0.0);
+  for (std::size_t k = 0; k < values.size(); ++k) padded[k / components * 3 + k % components] = values[k];
+  return padded;
+}
 
 std::string vtp_text(const ParticleFrame& frame) {
   if (frame.dimension < 1 || frame.dimension > 3 || frame.positions.size() % frame.dimension != 0)

@@ -7,7 +7,7 @@
 namespace plumb {
 
 /// Values of one quantity on all particles, `components` numbers each, particle after particle. A vector of a
-/// plane problem (2 components) is written with z = 0.
+/// plane problem (2 components) is written with z = 0; one of a line would be taken for a scalar, so it comes padded.
 struct PointField {
   std::string name;  ///< with its unit: "velocity [m/s]"
   int components = 1;
@@ -21,6 +21,9 @@ struct ParticleFrame {
   std::span<const double> positions;  ///< current positions [m], particle after particle
   std::span<const PointField> fields;
 };
+
+/// Vectors of `components` numbers as vectors of three, the rest zero.
+std::vector<double> padded_to_three(std::span<const double> values, int components);
 
 /// The frame as a VTK XML PolyData file (.vtp): one vertex a particle, the fields as point data, an "id"
 /// array that counts from 0, the time as field data "TimeValue". Arrays are base64, so that no digit is lost.

@@ -14,6 +14,12 @@ std::vector<double> numbers_of(const std::vector<Vec<d>>& vectors) {
   return values;
 }
 
+/// Of a bar in 1D as vectors in space: one number each would be read as a scalar.
+template <int d>
+std::vector<double> vectors_for_file(const std::vector<double>& values) {
+  return d == 1 ? padded_to_three(values, d) : values;
+}
+
 }  // namespace
 
 template <int d>
@@ -33,7 +39,10 @@ Frame<d>::Frame(const Snapshot<d>& shown, const std::vector<std::string>& fields
 
 template <int d>
 void Frame<d>::write(ParticleSeries& series) const {
-  std::vector<PointField> fields{{"displacement [m]", d, displacement_}, {"velocity [m/s]", d, velocity_}};
+  constexpr int components = d == 1 ? 3 : d;
+  const auto displacement = vectors_for_file<d>(displacement_), velocity = vectors_for_file<d>(velocity_);
+  std::vector<PointField> fields{{"displacement [m]", components, displacement},
+                                 {"velocity [m/s]", components, velocity}};
   if (!determinant_.empty()) fields.push_back({"J", 1, determinant_});
   fields.push_back({"pressure [Pa]", 1, pressure_});
   fields.push_back({"von Mises stress [Pa]", 1, von_mises_});

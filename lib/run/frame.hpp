@@ -10,7 +10,7 @@ namespace plumb {
 
 /// What the particle files show of one state: positions, displacement, velocity, J = det F, the pressure
 /// -tr(sigma)/3 and the von Mises stress of the Cauchy stress sigma, and whatever else the scheme shows. In
-/// 2D sigma_33 counts, and under plane stress F_33.
+/// 2D sigma_33 counts, and under plane stress F_33; in 1D sigma_22 and sigma_33 count.
 template <int d>
 class Frame {
  public:

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lib/measures/body_units.hpp"
 #include "lib/run/frame.hpp"
 
 namespace plumb {
@@ -42,15 +43,15 @@ Recorder<d>::Recorder(const Output& output, std::filesystem::path folder, const 
 
 template <int d>
 std::vector<std::string> Recorder<d>::columns(const Simulation<d>& simulation) const {
-  const std::string per_thickness = d == 2 ? "/m" : "";
+  using Units = BodyUnits<d>;
   std::vector<std::string> names{"step", "time [s]"};
   std::vector<std::string> energies{"kinetic", "strain"};
   energies.insert(energies.end(), simulation.energy_names.begin(), simulation.energy_names.end());
   energies.emplace_back("total");
-  for (const auto& energy : energies) names.push_back(energy + " energy [J" + per_thickness + "]");
-  add_columns<d>(names, "linear momentum", d == 2 ? "kg/s" : "kg m/s");
-  const std::string unit = d == 2 ? " [kg m/s]" : " [kg m^2/s]";
-  for (int k = d == 2 ? 2 : 0; k < 3; ++k) names.push_back(std::string("angular momentum ") + axes[k] + unit);
+  for (const auto& energy : energies) names.push_back(fmt::format("{} energy [{}]", energy, Units::energy));
+  add_columns<d>(names, "linear momentum", Units::linear_momentum);
+  for (int k = Units::first_angular; k < 3; ++k)
+    names.push_back(fmt::format("angular momentum {} [{}]", axes[k], Units::angular_momentum));
   if (simulation.hourglass_share) names.emplace_back("hourglass share");
   for (const auto& probe : probes_) {
     add_columns<d>(names, probe.name + " position", "m");
@@ -61,7 +62,7 @@ std::vector<std::string> Recorder<d>::columns(const Simulation<d>& simulation) c
   }
   if (simulation.reactions)
     for (const auto& [boundary, force] : simulation.reactions())
-      add_columns<d>(names, "reaction " + boundary, d == 2 ? "N/m" : "N");
+      add_columns<d>(names, "reaction " + boundary, Units::force);
   return names;
 }
 
@@ -100,7 +101,7 @@ void Recorder<d>::record_series(const Simulation<d>& simulation) {
   for (const auto& more : energy.more) row.push_back(more.value);
   row.push_back(energy.total());
   row.insert(row.end(), momentum.linear.begin(), momentum.linear.begin() + d);
-  row.insert(row.end(), momentum.angular.begin() + (d == 2 ? 2 : 0), momentum.angular.end());
+  row.insert(row.end(), momentum.angular.begin() + BodyUnits<d>::first_angular, momentum.angular.end());
   if (simulation.hourglass_share) row.push_back(simulation.hourglass_share());
   for (const auto& probe : probes_) {
     const PointView<d> at = simulation.at(probe.particle);

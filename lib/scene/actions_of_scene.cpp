@@ -187,6 +187,7 @@ void refuse_contradictions(const Cloud<d>& cloud, const Actions<d>& actions, dou
   template Actions<d> actions_of_scene<d>(const Cloud<d>&, const Scene&,                          \
                                           const std::function<std::vector<Facet<d>>()>&, double); \
   template void refuse_contradictions<d>(const Cloud<d>&, const Actions<d>&, double);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

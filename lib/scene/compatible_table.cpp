@@ -53,6 +53,7 @@ std::shared_ptr<CompatibleReport> make_it_compatible(BondOptions<d>& options, co
   template bool needs_surface<d>(const Scene&, const Cloud<d>&);                           \
   template std::shared_ptr<CompatibleReport> make_it_compatible<d>(                        \
       BondOptions<d>&, const Scene&, const Cloud<d>&, const std::optional<Surface<d>>&);
+PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)
 #undef PLUMB_INSTANTIATE

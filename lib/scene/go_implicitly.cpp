@@ -142,6 +142,7 @@ void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene&
     go_by_loads(simulation, way);
 }
 
+template void go_implicitly<1>(Simulation<1>&, ImplicitBody<1>, const Scene&);
 template void go_implicitly<2>(Simulation<2>&, ImplicitBody<2>, const Scene&);
 template void go_implicitly<3>(Simulation<3>&, ImplicitBody<3>, const Scene&);
 

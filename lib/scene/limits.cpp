@@ -11,10 +11,19 @@ namespace {
 /// Of the swinging plate on rollers, THEORY chapter 11: amplitude 0.2 ends early at nu 0.495 and not at 0.3.
 constexpr double near_incompressible = 0.49;
 
+/// Differences over two cells do not see what alternates, and in 1D there is no other direction that would.
+std::vector<std::string> limits_of_a_bar(const Method& method) {
+  if (method.hourglass) return {};
+  return {
+      "motion that alternates from particle to particle is as soft in a bar as smooth motion, whatever the "
+      "gradient; a smooth start does not set it off, a sudden load may: add [hourglass], which stiffens it"};
+}
+
 }  // namespace
 
 std::vector<std::string> limits_of(const Scene& scene) {
   if (has_own_body(scene.method.scheme)) return {};
+  if (scene.dimension == 1) return limits_of_a_bar(scene.method);
   if (scene.method.gradient == "compatible") {
     const bool steps = scene.method.scheme == "tlsph";
     if (!steps || scene.material.poisson < near_incompressible || scene.method.hourglass) return {};

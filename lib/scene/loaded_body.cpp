@@ -62,6 +62,7 @@ LoadedBody<d> loaded_body(const Scene& scene, const SavedState& saved) {
   return body;
 }
 
+template LoadedBody<1> loaded_body<1>(const Scene&, const SavedState&);
 template LoadedBody<2> loaded_body<2>(const Scene&, const SavedState&);
 template LoadedBody<3> loaded_body<3>(const Scene&, const SavedState&);
 

@@ -23,24 +23,30 @@ Box<d> box_of(const Body& body) {
 
 template <int d>
 Shape<d> shape_of(const Body& body) {
-  Shape<d> shape =
-      body.shape == "box" ? Shape<d>{box_of<d>(body), {}} : shape_named<d>(body.shape, body.lengths);
-  for (const auto& hole : body.holes)
-    shape = without(std::move(shape), shape_named<d>(hole.name, hole.lengths));
-  return shape;
+  if constexpr (d == 1) {
+    return {box_of<d>(body), {}};  // the reader refuses other bodies in 1D
+  } else {
+    Shape<d> shape =
+        body.shape == "box" ? Shape<d>{box_of<d>(body), {}} : shape_named<d>(body.shape, body.lengths);
+    for (const auto& hole : body.holes)
+      shape = without(std::move(shape), shape_named<d>(hole.name, hole.lengths));
+    return shape;
+  }
 }
 
 template <int d>
 Cloud<d> make_cloud(const Body& body) {
-  if (!body.file.empty()) return cloud_of_file<d>(body);
   const Shape<d> shape = shape_of<d>(body);
-  const bool whole_lattice = !shape.clip && body.cloud == "lattice";
-  if (body.layout == Layout::mirror && !whole_lattice)
-    throw InputError("layout = \"mirror\" for a shape with holes or curves, or for blue noise",
-                     "images are reflected at the faces of a box that a lattice fills", "use node or cell");
-  if (!whole_lattice)
-    return shaped_cloud<d>(shape,
-                           {*body.spacing, body.layout, body.cloud == "blue-noise", body.jitter, body.seed});
+  if constexpr (d > 1) {
+    if (!body.file.empty()) return cloud_of_file<d>(body);
+    const bool whole_lattice = !shape.clip && body.cloud == "lattice";
+    if (body.layout == Layout::mirror && !whole_lattice)
+      throw InputError("layout = \"mirror\" for a shape with holes or curves, or for blue noise",
+                       "images are reflected at the faces of a box that a lattice fills", "use node or cell");
+    if (!whole_lattice)
+      return shaped_cloud<d>(
+          shape, {*body.spacing, body.layout, body.cloud == "blue-noise", body.jitter, body.seed});
+  }
   Cloud<d> cloud = lattice<d>(shape.box, cells_of<d>(shape.box, *body.spacing), body.layout);
   return body.jitter > 0 ? jittered<d>(std::move(cloud), body.jitter, body.seed, body.layout) : cloud;
 }
@@ -48,13 +54,18 @@ Cloud<d> make_cloud(const Body& body) {
 template <int d>
 Surface<d> surface_of(const Body& body, const Cloud<d>& cloud) {
   const Shape<d> shape = shape_of<d>(body);
-  return shape.clip ? clipped_surface<d>(cloud, shape) : box_surface<d>(cloud);
+  if constexpr (d > 1)
+    if (shape.clip) return clipped_surface<d>(cloud, shape);
+  return box_surface<d>(cloud);
 }
 
+template Shape<1> shape_of<1>(const Body&);
 template Shape<2> shape_of<2>(const Body&);
 template Shape<3> shape_of<3>(const Body&);
+template Cloud<1> make_cloud<1>(const Body&);
 template Cloud<2> make_cloud<2>(const Body&);
 template Cloud<3> make_cloud<3>(const Body&);
+template Surface<1> surface_of<1>(const Body&, const Cloud<1>&);
 template Surface<2> surface_of<2>(const Body&, const Cloud<2>&);
 template Surface<3> surface_of<3>(const Body&, const Cloud<3>&);
 

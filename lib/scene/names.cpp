@@ -96,7 +96,8 @@ std::string_view name_of(BoundaryKind wanted) {
 }
 
 std::vector<std::string> face_names(int dimension) {
-  std::vector<std::string> names{"x-", "x+", "y-", "y+"};
+  std::vector<std::string> names{"x-", "x+"};
+  if (dimension >= 2) names.insert(names.end(), {"y-", "y+"});
   if (dimension == 3) names.insert(names.end(), {"z-", "z+"});
   return names;
 }

@@ -60,6 +60,21 @@ double spacing_of_counts(const Body& body) {
       fits ? fmt::format("use {}", joined(with_spacing(body, spacings.front()).particles)) : "");
 }
 
+/// What makes a body more than a piece of a line.
+void refuse_more_than_a_bar(const Section& section, int dimension) {
+  if (dimension != 1) return;
+  const auto refuse = [&](const char* key, const std::string& what) {
+    section.fail(key, what + " in one dimension", "the body is a bar: a piece of a line",
+                 "leave it out, or use dimension = 2 or 3");
+  };
+  if (section.has("file")) refuse("file", "particles or a surface of a file");
+  if (section.has("hole")) refuse("hole", "a hole");
+  const std::string shape = section.choice_or("shape", "box", shape_names());
+  if (shape != "box") refuse("shape", fmt::format("shape \"{}\"", shape));
+  const std::string cloud = section.choice_or("cloud", "lattice", cloud_names());
+  if (cloud != "lattice") refuse("cloud", fmt::format("cloud \"{}\"", cloud));
+}
+
 /// The lengths that the shape of that name has.
 ShapeLengths read_lengths(const Section& section, const std::string& shape, int dimension) {
   ShapeLengths lengths;
@@ -106,8 +121,7 @@ ShapeChoice read_hole(const Section& section, int dimension) {
 void read_box(const Section& section, Body& body, int dimension) {
   body.size = section.numbers("size", static_cast<std::size_t>(dimension), quantity::length, Sign::positive);
   const int given = static_cast<int>(body.size.size());
-  if (given != 2 && given != 3)
-    section.fail("size", fmt::format("{} values", given), "a body has 2 or 3 dimensions");
+  if (given > 3) section.fail("size", fmt::format("{} values", given), "a body has 1, 2 or 3 dimensions");
   body.origin.assign(body.size.size(), 0.0);
   if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
 }
@@ -216,6 +230,7 @@ Body with_spacing(Body body, double d) {
 
 Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
+  refuse_more_than_a_bar(section, dimension);
   body.shape = section.choice_or("shape", body.shape, shape_names());
   const bool surface = section.has("file") && is_surface_file(section.text("file"));
   if (section.has("file") && !surface) return read_body_of_file(section, dimension);
@@ -228,6 +243,7 @@ Body read_body(const Section& section, int dimension, bool with_lattice) {
   else
     read_shape(section, body, dimension);
   const int given = static_cast<int>(body.size.size());
+  refuse_more_than_a_bar(section, given);  // of a study, whose size says the dimension
   for (const Section& hole : section.sections("hole")) body.holes.push_back(read_hole(hole, given));
   const std::string layout = section.choice_or("layout", "node", layout_names());
   body.layout = layout == "cell" ? Layout::cell : layout == "mirror" ? Layout::mirror : Layout::node;

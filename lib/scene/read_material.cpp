@@ -37,7 +37,7 @@ void read_parameters(const Section& section, MaterialChoice& material) {
 void read_plane(const Section& section, MaterialChoice& material, int dimension) {
   if (section.choice_or("plane", "strain", plane_names()) == "strain") return;
   if (dimension != 2)
-    section.fail("plane", fmt::format("\"stress\" in {} dimensions", dimension),
+    section.fail("plane", fmt::format("\"stress\" in {} dimension{}", dimension, dimension == 1 ? "" : "s"),
                  "plane stress is for bodies in 2D", "leave it out");
   if (has_history(material.model))
     section.fail("plane", fmt::format("\"stress\" contradicts model = \"{}\"", material.model),

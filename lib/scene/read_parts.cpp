@@ -11,6 +11,8 @@ namespace plumb {
 namespace {
 
 std::array<double, 3> read_spin(const Section& section, int dimension) {
+  if (dimension == 1)
+    section.fail("spin", "in one dimension", "a bar moves along its line and does not turn", "give velocity");
   if (dimension == 2 && !section.is_array("spin"))
     return {0.0, 0.0, section.number("spin", quantity::angular_velocity)};
   const auto spin = section.numbers("spin", 3, quantity::angular_velocity);

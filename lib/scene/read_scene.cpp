@@ -75,11 +75,11 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   const Section head = root.section("scene");
   scene.name = head.text_or("name", std::filesystem::path(file_name).stem().string());
   if (!head.has("dimension"))
-    head.fail("dimension", "missing key", "it has no default", "add dimension = 2 or dimension = 3");
+    head.fail("dimension", "missing key", "it has no default", "add dimension = 1, 2 or 3");
   scene.dimension = static_cast<int>(std::min(head.integer_or("dimension", 0, 0), 9L));
-  if (scene.dimension != 2 && scene.dimension != 3)
+  if (scene.dimension < 1 || scene.dimension > 3)
     head.fail("dimension", std::to_string(scene.dimension) + " is not possible",
-              "bodies have 2 (plane strain) or 3", "use plumb oned for one dimension");
+              "bodies have 1 (uniaxial strain), 2 (plane strain) or 3", "write 1, 2 or 3");
   scene.end_time = head.optional_number("end_time", quantity::time, Sign::positive);
   scene.max_steps = head.optional_integer("max_steps", 1);
   head.reject_unknown();
@@ -90,6 +90,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.material = read_material(root.section("material"), scene.dimension);
   scene.method = read_method(root, scene.body);
   refuse_history(root, scene.material, scene.method);
+  refuse_on_a_line(root, scene.dimension, scene.method);
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);
   scene.boundaries = read_boundaries(root, scene.dimension);

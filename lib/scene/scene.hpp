@@ -130,7 +130,7 @@ struct Initial {
   std::vector<Expression> displacement;  ///< [m] in X, Y, Z; as many as the dimension, or empty
   std::vector<Expression> velocity;      ///< [m/s] in X, Y, Z; as many as the dimension, or empty
   std::optional<std::array<double, 3>>
-      spin;  ///< angular velocity [rad/s] about the centre of mass; 2D: (0, 0, w)
+      spin;  ///< angular velocity [rad/s] about the centre of mass; 2D: (0, 0, w), 1D: none
 };
 
 /// One face of the box: axis 0, 1, 2 and side -1 or +1 ("z-" is {2, -1}).
@@ -169,7 +169,7 @@ struct Boundary {
 /// A scene: everything a run needs. At least one of end_time and max_steps is given.
 struct Scene {
   std::string name;
-  int dimension = 0;               ///< 2 or 3
+  int dimension = 0;               ///< 1 (uniaxial strain), 2 (plane strain) or 3
   std::optional<double> end_time;  ///< [s]
   std::optional<long> max_steps;
   Body body;

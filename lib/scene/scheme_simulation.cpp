@@ -77,8 +77,10 @@ Simulation<d> make_scheme_simulation(const Scene& scene) {
   return make_scheme_simulation<d>(scene, std::move(start));
 }
 
+template Simulation<1> make_scheme_simulation<1>(const Scene&, SchemeStart<1>);
 template Simulation<2> make_scheme_simulation<2>(const Scene&, SchemeStart<2>);
 template Simulation<3> make_scheme_simulation<3>(const Scene&, SchemeStart<3>);
+template Simulation<1> make_scheme_simulation<1>(const Scene&);
 template Simulation<2> make_scheme_simulation<2>(const Scene&);
 template Simulation<3> make_scheme_simulation<3>(const Scene&);
 

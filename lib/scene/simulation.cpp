@@ -30,6 +30,7 @@ BuiltScene<d> make_simulation(const Scene& scene) {
   return {as_simulation<d>(body, scene.material), body};
 }
 
+template BuiltScene<1> make_simulation<1>(const Scene&);
 template BuiltScene<2> make_simulation<2>(const Scene&);
 template BuiltScene<3> make_simulation<3>(const Scene&);
 

@@ -85,6 +85,7 @@ Study parse_study(const std::string& text, const std::string& file_name,
   study.material = read_material(root.section("material"), study.dimension());
   study.method = read_method(root, study.body);
   refuse_history(root, study.material, study.method);
+  refuse_on_a_line(root, study.dimension(), study.method);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);
   study.unused = refuse_unused(root, keys_unused_by(use));

@@ -59,9 +59,14 @@ std::vector<Wall> walls_of(const Scene& scene) {
 /// The surface that the particles themselves suggest; their volumes become those of the cells that it cuts.
 template <int d>
 Surface<d> guess_surface(Cloud<d>& cloud) {
-  const Shape<d> shape = shape_around(cloud);
-  cloud.V = clipped_cells<d>(cloud.X, shape).volume;
-  return clipped_surface<d>(cloud, shape);
+  if constexpr (d == 1) {
+    throw InputError("an estimated surface in one dimension", "the ends of a bar are known",
+                     "use surface = \"shape\"");
+  } else {
+    const Shape<d> shape = shape_around(cloud);
+    cloud.V = clipped_cells<d>(cloud.X, shape).volume;
+    return clipped_surface<d>(cloud, shape);
+  }
 }
 
 /// Of formulas in time, for a scene that ends by its number of steps [s].
@@ -198,12 +203,16 @@ std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation) {
   return arrays;
 }
 
+template BondOptions<1> bond_options<1>(const Scene&, double);
 template BondOptions<2> bond_options<2>(const Scene&, double);
 template BondOptions<3> bond_options<3>(const Scene&, double);
+template TlsphBody<1> make_tlsph<1>(const Scene&);
 template TlsphBody<2> make_tlsph<2>(const Scene&);
 template TlsphBody<3> make_tlsph<3>(const Scene&);
+template TlsphBody<1> make_tlsph<1>(const Scene&, Cloud<1>, std::optional<Surface<1>>);
 template TlsphBody<2> make_tlsph<2>(const Scene&, Cloud<2>, std::optional<Surface<2>>);
 template TlsphBody<3> make_tlsph<3>(const Scene&, Cloud<3>, std::optional<Surface<3>>);
+template std::vector<ArrayEntry> arrays_of<1>(const TlsphBody<1>&);
 template std::vector<ArrayEntry> arrays_of<2>(const TlsphBody<2>&);
 template std::vector<ArrayEntry> arrays_of<3>(const TlsphBody<3>&);
 

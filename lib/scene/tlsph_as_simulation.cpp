@@ -199,6 +199,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
 #define PLUMBLINE_INSTANTIATE(d)                                                                \
   template Snapshot<d> snapshot_of<d>(const Solid<d>&, const State<d>&, const MaterialChoice&); \
   template Simulation<d> as_simulation<d>(const std::shared_ptr<TlsphBody<d>>&, const MaterialChoice&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

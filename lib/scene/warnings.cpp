@@ -179,10 +179,13 @@ Texts warnings_of(const Scene& scene, const Solid<d>& solid, const FirstStep& st
   return all;
 }
 
+template Texts lattice_distance_warnings<1>(const Cloud<1>&, double, double);
 template Texts lattice_distance_warnings<2>(const Cloud<2>&, double, double);
 template Texts lattice_distance_warnings<3>(const Cloud<3>&, double, double);
+template Texts aliasing_warnings<1>(const Scene&, const Cloud<1>&);
 template Texts aliasing_warnings<2>(const Scene&, const Cloud<2>&);
 template Texts aliasing_warnings<3>(const Scene&, const Cloud<3>&);
+template Texts warnings_of<1>(const Scene&, const Solid<1>&, const FirstStep&);
 template Texts warnings_of<2>(const Scene&, const Solid<2>&, const FirstStep&);
 template Texts warnings_of<3>(const Scene&, const Solid<3>&, const FirstStep&);
 

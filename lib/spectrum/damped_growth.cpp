@@ -108,8 +108,10 @@ Growth damped_growth(LinearOperator<d>& op, const SparseMatrix& K, double larges
   return growth;
 }
 
+template Growth dense_damped_growth<1>(LinearOperator<1>&, const SparseMatrix&);
 template Growth dense_damped_growth<2>(LinearOperator<2>&, const SparseMatrix&);
 template Growth dense_damped_growth<3>(LinearOperator<3>&, const SparseMatrix&);
+template Growth damped_growth<1>(LinearOperator<1>&, const SparseMatrix&, double);
 template Growth damped_growth<2>(LinearOperator<2>&, const SparseMatrix&, double);
 template Growth damped_growth<3>(LinearOperator<3>&, const SparseMatrix&, double);
 

@@ -162,6 +162,7 @@ Eigen::MatrixXd LinearOperator<d>::rigid_motions() const {
          Eigen::MatrixXd::Identity(size(), span.cols());
 }
 
+template class LinearOperator<1>;
 template class LinearOperator<2>;
 template class LinearOperator<3>;
 

@@ -109,6 +109,7 @@ std::vector<Mode> rigid_modes(const LinearOperator<d>& op, const SparseMatrix& K
   template LowModes low_modes<d>(const LinearOperator<d>&, const EigenPairs&, const Eigen::VectorXd&, int, \
                                  double, bool);                                                            \
   template std::vector<Mode> rigid_modes<d>(const LinearOperator<d>&, const SparseMatrix&);
+PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)
 #undef PLUMB_INSTANTIATE

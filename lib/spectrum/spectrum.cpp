@@ -128,8 +128,10 @@ double oscillation_limit(std::string_view integrator) {
                    "use rk3 or verlet");
 }
 
+template Spectrum spectrum_of<1>(LinearOperator<1>&, const SpectrumOptions&);
 template Spectrum spectrum_of<2>(LinearOperator<2>&, const SpectrumOptions&);
 template Spectrum spectrum_of<3>(LinearOperator<3>&, const SpectrumOptions&);
+template double largest_eigenvalue<1>(LinearOperator<1>&, double, int);
 template double largest_eigenvalue<2>(LinearOperator<2>&, double, int);
 template double largest_eigenvalue<3>(LinearOperator<3>&, double, int);
 

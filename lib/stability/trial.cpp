@@ -4,6 +4,7 @@
 #include <ctime>
 #include <numeric>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/sentences.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
@@ -88,7 +89,7 @@ std::optional<Trial> attempt(const Scene& scene, const StabilityBounds& bounds,
 std::optional<Trial> try_scene(const Scene& scene, const StabilityBounds& bounds,
                                const std::function<bool()>& go_on) {
   try {
-    return scene.dimension == 2 ? attempt<2>(scene, bounds, go_on) : attempt<3>(scene, bounds, go_on);
+    return with_dimension(scene.dimension, [&]<int d>() { return attempt<d>(scene, bounds, go_on); });
   } catch (const InputError& error) {
     Trial trial;
     trial.refused = sentences(error.problem(), error.why(), "");

@@ -34,7 +34,7 @@ double default_of(const std::optional<double>& value) {
 
 template <class M>
 Entry law_entry() {
-  Entry entry{std::string(M::name), "", {2, 3}, HistoryLaw<M>, {}};
+  Entry entry{std::string(M::name), "", {1, 2, 3}, HistoryLaw<M>, {}};
   ParametersOf<M> defaults;
   defaults.fields([&](const LawParameter& about, const auto& value) {
     const double least = about.sign == Sign::any ? -std::numeric_limits<double>::infinity() : 0;

@@ -11,7 +11,8 @@
 
 /// What a caller has chosen, and the fields that follow from it: they are made when first asked for.
 struct plumb_solution {
-  using Fields = std::variant<plumb::mms::ExactFields<2>, plumb::mms::ExactFields<3>>;
+  using Fields =
+      std::variant<plumb::mms::ExactFields<1>, plumb::mms::ExactFields<2>, plumb::mms::ExactFields<3>>;
 
   plumb_solution(const plumb::mms::SolutionEntry& entry, int in_dimension)
       : name(entry.name), dimension(in_dimension), parameters(entry.parameters), elastic(entry.material) {}
@@ -40,6 +41,7 @@ struct plumb_solution {
   Fields make() const {
     std::map<std::string, double> values;
     for (const auto& p : parameters.all()) values[std::string(p.name)] = p.value;
+    if (dimension == 1) return plumb::mms::exact_fields<1>(name, values, elastic, law, increments);
     if (dimension == 2) return plumb::mms::exact_fields<2>(name, values, elastic, law, increments);
     return plumb::mms::exact_fields<3>(name, values, elastic, law, increments);
   }

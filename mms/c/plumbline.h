@@ -60,7 +60,7 @@ PLUMB_API plumb_status plumb_law_parameter(size_t law, size_t k, plumb_parameter
 
 typedef struct plumb_solution plumb_solution;
 
-/* Makes a solution by name in 2 or 3 dimensions, with its default parameters, its own elastic constants and the law
+/* Makes a solution by name in 1, 2 or 3 dimensions, with its default parameters, its own elastic constants and the law
  * "neo-hookean". Free it with plumb_free(). */
 PLUMB_API plumb_status plumb_new(const char* name, int dimension, plumb_solution** solution);
 PLUMB_API void plumb_free(plumb_solution* solution); /* NULL is allowed */

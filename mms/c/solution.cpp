@@ -149,7 +149,8 @@ plumb_status plumb_set_law_parameter(plumb_solution* solution, const char* param
 }
 plumb_status plumb_set_plane_stress(plumb_solution* solution, int yes) {
   return change(solution, [&](plumb_solution& s) {
-    if (s.dimension != 2) throw InputError("plane stress in 3D", "it is for bodies in 2D", "");
+    if (s.dimension != 2)
+      throw InputError("plane stress in " + std::to_string(s.dimension) + "D", "it is for bodies in 2D", "");
     s.law.plane = yes != 0 ? Plane::stress : Plane::strain;
   });
 }

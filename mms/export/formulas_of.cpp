@@ -1,5 +1,6 @@
 #include "mms/export/formulas_of.hpp"
 
+#include "lib/core/dimension.hpp"
 #include "lib/material/laws.hpp"
 #include "mms/catalogue.hpp"
 #include "mms/manufactured.hpp"
@@ -68,10 +69,7 @@ SolutionFormulas formulas_of(std::string_view name, int dimension,
   if (dimension == 2 && law.plane == Plane::stress)
     throw InputError("plane stress as source text", "F_33 is found by iterations", "use libplumbline_c");
   SolutionFormulas out;
-  if (dimension == 2)
-    write<2>(name, values, elastic, law, out);
-  else
-    write<3>(name, values, elastic, law, out);
+  with_dimension(dimension, [&]<int d>() { write<d>(name, values, elastic, law, out); });
   return out;
 }
 

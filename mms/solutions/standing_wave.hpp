@@ -5,11 +5,12 @@ namespace plumb::mms {
 
 /// Standing longitudinal wave in the unit box on rollers: u_x = A sin(n pi X) cos(n pi c t), c = sqrt((lambda
 /// + 2 mu)/rho). An eigenmode of the linear box; with a finite-strain material the body force makes it exact.
+/// In 1D the box is a bar whose ends are held.
 struct StandingWave {
   static constexpr std::string_view name = "standing-wave";
   static constexpr std::string_view summary = "longitudinal eigenmode of a box on rollers";
   template <int d>
-  static constexpr bool in_dimension = d == 2 || d == 3;
+  static constexpr bool in_dimension = d >= 1 && d <= 3;
   static Parameters defaults() {
     return {{"amplitude", 0.01, "m", 0, 0.05, "amplitude A"},
             {"mode", 1, "1", 1, 3, "number n of half waves"}};

@@ -6,12 +6,13 @@ namespace plumb::mms {
 /// Column of height 2 m and width 1 m, pulled along its last axis with tractions on all faces but the held
 /// base:
 ///   z = Z + e g (Z + 0.2 sin(pi Z/2)),  x = X (1 - c g sin(pi Z/4)),  g = (1 - cos(2 pi t/T))/2,
-/// so that it starts at rest, the stretch 1 + e reaches 2 and more, and all of F varies along the column.
+/// so that it starts at rest, the stretch 1 + e reaches 2 and more, and all of F varies along the column. In 1D it is
+/// a bar with a loaded end: the contraction has no part in it.
 struct StretchedColumn {
   static constexpr std::string_view name = "stretched-column";
   static constexpr std::string_view summary = "column pulled to large stretch by prescribed tractions";
   template <int d>
-  static constexpr bool in_dimension = d == 2 || d == 3;
+  static constexpr bool in_dimension = d >= 1 && d <= 3;
   static Parameters defaults() {
     return {{"stretch", 1, "1", 0, 1.5, "mean extension e"},
             {"contraction", 0.25, "1", 0, 0.4, "contraction c of the top"},

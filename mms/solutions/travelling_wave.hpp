@@ -10,7 +10,7 @@ struct TravellingWave {
   static constexpr std::string_view name = "travelling-wave";
   static constexpr std::string_view summary = "longitudinal wave through a box, ends moved with it";
   template <int d>
-  static constexpr bool in_dimension = d == 2 || d == 3;
+  static constexpr bool in_dimension = d >= 1 && d <= 3;
   static Parameters defaults() {
     return {{"amplitude", 0.01, "m", 0, 0.05, "amplitude A"},
             {"mode", 2, "1", 1, 3, "number n of half waves in the box"}};

@@ -101,6 +101,7 @@ void compare(const std::string& name, const std::string& law) {
 TEST(CInterface, AllQuantitiesOfAllSolutionsAndLaws) {
   for (std::size_t s = 0; s < plumb_solution_count(); ++s)
     for (std::size_t l = 0; l < plumb_law_count(); ++l) {
+      if (plumb_solution_exists_in(s, 1)) compare<1>(plumb_solution_name(s), plumb_law_name(l));
       if (plumb_solution_exists_in(s, 2)) compare<2>(plumb_solution_name(s), plumb_law_name(l));
       if (plumb_solution_exists_in(s, 3)) compare<3>(plumb_solution_name(s), plumb_law_name(l));
     }

@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "lib/core/dimension.hpp"
 #include "lib/material/laws.hpp"
 #include "mms/exact_fields.hpp"
 #include "mms/export/formulas_of.hpp"
@@ -85,7 +86,7 @@ void compare(const Case& one, const std::function<void(const double*, double, do
 }
 
 void compare(const Case& one, const std::function<void(const double*, double, double*)>& function) {
-  one.dimension == 2 ? compare<2>(one, function) : compare<3>(one, function);
+  with_dimension(one.dimension, [&]<int d>() { compare<d>(one, function); });
 }
 
 /// Compiles all cases into one shared library and compares each; `mark` is what the compiler adds to names.
@@ -158,7 +159,7 @@ TEST(Export, PythonTextsAreTheSolutions) {
         put(m.displacement), put(m.velocity), put(m.acceleration), put(m.F);
         put(exact.first_piola(at, t)), put(exact.body_force(at, t));
       };
-      one.dimension == 2 ? fill.template operator()<2>() : fill.template operator()<3>();
+      with_dimension(one.dimension, fill);
     });
   questions.close();
   const std::string in = folder.path().string();

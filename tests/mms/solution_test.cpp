@@ -115,6 +115,7 @@ TEST(Solutions, AllStayPermissibleOverTheirWholeParameterRange) {
       }
     };
     for (int dimension : entry.dimensions) {
+      if (dimension == 1) check(std::integral_constant<int, 1>{});
       if (dimension == 2) check(std::integral_constant<int, 2>{});
       if (dimension == 3) check(std::integral_constant<int, 3>{});
     }

@@ -172,7 +172,8 @@ void write_modes(const Spectrum& spectrum, const LinearOperator<d>& op, int list
   for (const Mode* mode : listed_modes(spectrum, listed)) {
     const std::vector<double> motion = motion_of(*mode, op, cloud.spacing),
                               hz(cloud.X.size(), hertz(*mode, op.time_unit()));
-    const std::array<PointField, 2> fields{{{"displacement [m]", d, motion}, {"frequency [Hz]", 1, hz}}};
+    const std::vector<double> shown = padded_to_three(motion, d);
+    const std::array<PointField, 2> fields{{{"displacement [m]", 3, shown}, {"frequency [Hz]", 1, hz}}};
     series.write({static_cast<double>(series.size() + 1), d, positions, fields});
   }
 }
@@ -180,6 +181,7 @@ void write_modes(const Spectrum& spectrum, const LinearOperator<d>& op, int list
 #define PLUMB_INSTANTIATE(d)                                              \
   template Json worst_mode<d>(const Spectrum&, const LinearOperator<d>&); \
   template void write_modes<d>(const Spectrum&, const LinearOperator<d>&, int, const std::filesystem::path&);
+PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)
 #undef PLUMB_INSTANTIATE

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "lib/core/dimension.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/spectrum/lattice_symbol.hpp"
 
@@ -39,7 +40,7 @@ Json symbol_in(const Scene& scene, int points) {
 }  // namespace
 
 Json symbol_rows(const Scene& scene, int points) {
-  return scene.dimension == 2 ? symbol_in<2>(scene, points) : symbol_in<3>(scene, points);
+  return plumb::with_dimension(scene.dimension, [&]<int d>() { return symbol_in<d>(scene, points); });
 }
 
 }  // namespace plumb::app

@@ -255,6 +255,7 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   return made;
 }
 
+template class Element<1>;
 template class Element<2>;
 template class Element<3>;
 

@@ -13,7 +13,7 @@ namespace {
 
 /// A vector per node, one row each.
 template <int d>
-using PerNode = Eigen::Matrix<double, Eigen::Dynamic, d, Eigen::RowMajor>;
+using PerNode = Eigen::Matrix<double, Eigen::Dynamic, d, d == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -182,8 +182,10 @@ ElementBody<d> make_element_body(Specimen<d> specimen, const ElementOptions& opt
   return body;
 }
 
+template struct ElementBody<1>;
 template struct ElementBody<2>;
 template struct ElementBody<3>;
+template ElementBody<1> make_element_body<1>(Specimen<1>, const ElementOptions&);
 template ElementBody<2> make_element_body<2>(Specimen<2>, const ElementOptions&);
 template ElementBody<3> make_element_body<3>(Specimen<3>, const ElementOptions&);
 

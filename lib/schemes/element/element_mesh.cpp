@@ -162,6 +162,7 @@ ElementMesh<d> make_element_mesh(const Cloud<d>& cloud, int degree, bool one_poi
   return mesh;
 }
 
+template ElementMesh<1> make_element_mesh<1>(const Cloud<1>&, int, bool);
 template ElementMesh<2> make_element_mesh<2>(const Cloud<2>&, int, bool);
 template ElementMesh<3> make_element_mesh<3>(const Cloud<3>&, int, bool);
 

@@ -97,6 +97,7 @@ std::optional<ArcPoint> ArcLengthPath<d>::step(double length) {
   return std::nullopt;
 }
 
+template class ArcLengthPath<1>;
 template class ArcLengthPath<2>;
 template class ArcLengthPath<3>;
 

@@ -108,6 +108,7 @@ Eigen::VectorXd Balance<d>::whole(const Eigen::VectorXd& free) const {
   return all;
 }
 
+template class Balance<1>;
 template class Balance<2>;
 template class Balance<3>;
 

@@ -77,6 +77,7 @@ double DiscreteEnergy<d>::residual_round_off(const Eigen::VectorXd& u) const {
   return unit * (operators.force.cwiseAbs() * (material_.cwiseAbs() * F)).norm();
 }
 
+template class DiscreteEnergy<1>;
 template class DiscreteEnergy<2>;
 template class DiscreteEnergy<3>;
 

@@ -170,6 +170,7 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
 #define PLUMBLINE_INSTANTIATE(d)                                                       \
   template PointLaw<d> objective_law<d>(const LawChoice& law, const Elastic& elastic); \
   template class EnergyMomentum<d>;
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -31,6 +31,7 @@ StaticResult<d> find_equilibrium(const Solid<d>& solid, const Actions<d>& action
                                                const ImplicitOptions&, BodyMotion&, const OnLoadStep&); \
   template StaticResult<d> find_equilibrium<d>(const Solid<d>&, const Actions<d>&, double,              \
                                                const ImplicitOptions&, State<d>&, const OnLoadStep&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -86,6 +86,7 @@ SparseMatrix ExternalLoads<d>::following_tangent(const PathPoint& at,
   return tangent;
 }
 
+template class ExternalLoads<1>;
 template class ExternalLoads<2>;
 template class ExternalLoads<3>;
 

@@ -45,6 +45,7 @@ void put_held(const Actions<d>& actions, const PathPoint& at, const Eigen::Vecto
 #define PLUMBLINE_INSTANTIATE(d)                                   \
   template std::vector<Index> held_unknowns<d>(const Actions<d>&); \
   template void put_held<d>(const Actions<d>&, const PathPoint&, const Eigen::VectorXd&, Eigen::VectorXd&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -91,6 +91,7 @@ std::vector<BoundaryForce<d>> LoadPath<d>::reactions(const BodyMotion& equilibri
   return reactions;
 }
 
+template class LoadPath<1>;
 template class LoadPath<2>;
 template class LoadPath<3>;
 

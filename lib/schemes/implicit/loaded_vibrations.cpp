@@ -79,6 +79,7 @@ std::vector<LoadedVibration> vibrations_about(Balance<d>& balance, const Eigen::
   throw std::runtime_error("the lowest vibrations did not converge");
 }
 
+template std::vector<LoadedVibration> vibrations_about<1>(Balance<1>&, const Eigen::VectorXd&, int);
 template std::vector<LoadedVibration> vibrations_about<2>(Balance<2>&, const Eigen::VectorXd&, int);
 template std::vector<LoadedVibration> vibrations_about<3>(Balance<3>&, const Eigen::VectorXd&, int);
 

@@ -42,6 +42,7 @@ NewtonResult Midpoint<d>::step(BodyMotion& motion, double dt) {
   return result;
 }
 
+template class Midpoint<1>;
 template class Midpoint<2>;
 template class Midpoint<3>;
 

@@ -95,6 +95,7 @@ NewtonResult equilibrium_at(Balance<d>& balance, DescentSolver& solver, double t
   template NewtonResult newton<d>(Balance<d>&, DescentSolver&, double, Eigen::VectorXd&); \
   template NewtonEnd predict<d>(Balance<d>&, DescentSolver&, Eigen::VectorXd&);           \
   template NewtonResult equilibrium_at<d>(Balance<d>&, DescentSolver&, double, Eigen::VectorXd&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -85,6 +85,7 @@ StoredEnergy<d> stored_energy(const Solid<d>& body) {
   return made;
 }
 
+template StoredEnergy<1> stored_energy<1>(const Solid<1>&);
 template StoredEnergy<2> stored_energy<2>(const Solid<2>&);
 template StoredEnergy<3> stored_energy<3>(const Solid<3>&);
 

@@ -46,12 +46,13 @@ std::string in_words(const RigidMotions<d>& motions, const Eigen::VectorXd& shar
   }
   if constexpr (d == 2) {
     return "turn about " + place_text<2>(motions.centre + Vec<2>(-t[1], t[0]) / spin(1, 0), size);
-  } else {
+  } else if constexpr (d == 3) {
     const Vec<3> w(spin(2, 1), spin(0, 2), spin(1, 0));
     const Vec<3> cross(w[1] * t[2] - w[2] * t[1], w[2] * t[0] - w[0] * t[2], w[0] * t[1] - w[1] * t[0]);
     return "turn about the direction " + place_text<3>(w / w.norm(), 1) + " through " +
            place_text<3>(motions.centre + cross / w.squaredNorm(), size);
   }
+  return "move";  // not reached: nothing turns on a line
 }
 
 /// The particle that moves most in a motion which the tangent does not resist; nullopt if it resists all.
@@ -115,6 +116,7 @@ void require_support(Balance<d>& balance, DescentSolver& solver) {
   template std::optional<std::string> free_rigid_motion<d>(const DiscreteEnergy<d>&,   \
                                                            const std::vector<Index>&); \
   template void require_support<d>(Balance<d>&, DescentSolver&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -116,6 +116,7 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
 #define PLUMBLINE_INSTANTIATE(d)                                                             \
   template Updated<d>::Moved Updated<d>::moved(const UpdatedState<d>&, Index, double) const; \
   template std::optional<Trouble> Updated<d>::advance_conservative(UpdatedState<d>&, double);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -8,7 +8,7 @@ LatticeSums lattice_sums(double beta) {
   const int reach = static_cast<int>(2 * beta);
   LatticeSums sums{0, 0, 0};
   for (int a = -reach; a <= reach; ++a)
-    for (int b = -reach; b <= reach; ++b)
+    for (int b = d > 1 ? -reach : 0; b <= (d > 1 ? reach : 0); ++b)
       for (int c = d == 3 ? -reach : 0; c <= (d == 3 ? reach : 0); ++c) {
         const double square = a * a + b * b + c * c;
         if (square == 0) continue;
@@ -20,6 +20,7 @@ LatticeSums lattice_sums(double beta) {
   return sums;
 }
 
+template LatticeSums lattice_sums<1>(double);
 template LatticeSums lattice_sums<2>(double);
 template LatticeSums lattice_sums<3>(double);
 

@@ -18,8 +18,10 @@ struct KernelSlope {
     return t > 0 ? factor * (t * t * t) : 0;
   }
 };
+/// In 1D the polynomial of 2D and 3D is taken, which is positive definite there too: w = 3/4 (1 - q/2)^4 (2q + 1).
 template <int d>
 KernelSlope wendland_slope(double h) {
+  if constexpr (d == 1) return {-3.75 / (h * h * h), 0.5 / h};
   constexpr double q = 1, t = 1 - 0.5 * q;
   return {WendlandC2::dw<d>(q) / (q * t * t * t) / std::pow(h, d + 2), 0.5 / h};
 }
@@ -66,12 +68,12 @@ GuardedCorrection<d> correction_of(const Mat<d>& M, double least) {
   return {kept > 0 ? Mat<d>(kept * M.inverse() + (1 - kept) * I) : I, kept};
 }
 
-/// Sums of Wendland's kernel on a whole square or cubic lattice; the small-wave moduli of the schemes
+/// Sums of Wendland's kernel on a whole lattice; the small-wave moduli of the schemes
 /// follow, THEORY (17.10).
 struct LatticeSums {
   double m;     ///< -sum r W' e_x^2 V: 1 in the continuum
   double xxxx;  ///< C_xxxx = -sum r W' e_x^4 V: 3/(d + 2)
-  double xxyy;  ///< C_xxyy: 1/(d + 2)
+  double xxyy;  ///< C_xxyy: 1/(d + 2), 0 in 1D
 };
 template <int d>
 LatticeSums lattice_sums(double beta);

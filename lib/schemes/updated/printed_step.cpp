@@ -157,6 +157,7 @@ std::optional<Trouble> Updated<d>::advance_printed(State& state, double dt) {
   return find_trouble(next_);
 }
 
+template std::optional<Trouble> Updated<1>::advance_printed(UpdatedState<1>&, double);
 template std::optional<Trouble> Updated<2>::advance_printed(UpdatedState<2>&, double);
 template std::optional<Trouble> Updated<3>::advance_printed(UpdatedState<3>&, double);
 

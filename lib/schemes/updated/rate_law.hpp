@@ -61,9 +61,10 @@ class RateLaw {
   double compression_energy(double rho) const {
     return bulk / density * (std::log(rho / density) + density / rho - 1);
   }
-  /// s : s with the part out of the plane.
+  /// s : s with the part out of the plane, or across the bar, where both directions have half of it.
   static double square(const Mat<d>& s) {
     const double out = s.trace();
+    if constexpr (d == 1) return s.squaredNorm() + 0.5 * out * out;
     return s.squaredNorm() + (d == 2 ? out * out : 0);
   }
   /// Deviator of a rate of deformation (8): that of three dimensions, or of d.

@@ -32,7 +32,8 @@ Snapshot<d> Updated<d>::snapshot(const State& state) {
     Mat<3> F = Mat<3>::Identity(), stress = -law_.pressure(now.density) * Mat<3>::Identity();
     F.template topLeftCorner<d, d>() = now.F;
     stress.template topLeftCorner<d, d>() += now.point.s;
-    if (d == 2) stress(2, 2) -= now.point.s.trace();
+    // the deviator has no trace: what is left out of d dimensions has the rest of it
+    for (int k = d; k < 3; ++k) stress(k, k) -= now.point.s.trace() / (3 - d);
     shown.F.push_back(F);
     shown.cauchy.push_back(stress);
     if (law_.yields()) {
@@ -126,6 +127,7 @@ std::vector<Statement> Updated<d>::account() const {
   template Snapshot<d> Updated<d>::snapshot(const UpdatedState<d>&); \
   template SchemeEnergy Updated<d>::energy(const UpdatedState<d>&);  \
   template std::vector<Statement> Updated<d>::account() const;
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

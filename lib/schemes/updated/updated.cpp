@@ -224,6 +224,7 @@ void Updated<d>::differentiate(State& state) {
   }
 }
 
+template class Updated<1>;
 template class Updated<2>;
 template class Updated<3>;
 

@@ -31,8 +31,8 @@ constexpr double longest_s = 1;
 /// One mistake and what a user is told about it.
 struct BadInput {
   std::string what;
-  std::string base;                    ///< the file that the mistake is made in: "scene", "study" or "path"
-  std::string line, instead;           ///< of the file; both empty: as it is
+  std::string base;           ///< the file that the mistake is made in: "scene", "bar", "study" or "path"
+  std::string line, instead;  ///< of the file; both empty: as it is
   std::vector<std::string> overrides;  ///< --set
   std::vector<std::string> arguments;  ///< of a call of plumb; empty: the file is read and built
   std::string message;
@@ -41,7 +41,7 @@ struct BadInput {
 BadInput read_bad_input(const Section& section) {
   BadInput bad;
   bad.what = section.text("what");
-  bad.base = section.choice_or("base", "scene", {"scene", "study", "path"});
+  bad.base = section.choice_or("base", "scene", {"scene", "bar", "study", "path"});
   if (section.has("line")) {
     bad.line = section.text("line");
     bad.instead = section.has("without") ? "" : section.text("instead");
@@ -87,7 +87,7 @@ std::string refusal_of_file(const BadInput& bad, const std::string& text) {
       follow(parse_material_path(text, "path.toml", bad.overrides));
       return "";
     }
-    const Scene scene = parse_scene(text, "scene.toml", bad.overrides);
+    const Scene scene = parse_scene(text, bad.base + ".toml", bad.overrides);
     require_memory(scene);
     with_dimension(scene,
                    [&scene]<int d>() { return make_simulation<d>(scene).simulation.counts().particles > 0; });
@@ -129,8 +129,10 @@ Refusal refusal_of_call(const BadInput& bad, const std::map<std::string, std::st
 int refusals(const Session& session, const std::string& table) {
   const TomlValue document = parse_document(read_text(table), table);
   const Section root(document, "");
-  const std::map<std::string, std::string> files{
-      {"scene", root.text("scene")}, {"study", root.text("study")}, {"path", root.text_or("path", "")}};
+  const std::map<std::string, std::string> files{{"scene", root.text("scene")},
+                                                 {"bar", root.text_or("bar", "")},
+                                                 {"study", root.text("study")},
+                                                 {"path", root.text_or("path", "")}};
   Json rows = Json::array();
   int wrong = 0;
   double slowest = 0;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <ostream>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/sentences.hpp"
 #include "lib/output/file.hpp"
 #include "lib/run/checkpoint.hpp"
@@ -74,7 +75,7 @@ Json analyse(const Scene& scene, const SpectrumOptions& options, const std::stri
 }
 
 Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk = "") {
-  return scene.dimension == 2 ? analyse<2>(scene, options, vtk) : analyse<3>(scene, options, vtk);
+  return plumb::with_dimension(scene.dimension, [&]<int d>() { return analyse<d>(scene, options, vtk); });
 }
 
 /// The state of a checkpoint, or of the end of the scene's run if `at` is "end".
@@ -150,9 +151,9 @@ int run_loaded(const Session& session, const SpectrumCommand& command) {
     throw InputError("--at beside --over, --symbol, --vtk or --plot", "it lists the vibrations of one state",
                      "leave the others out");
   const Scene scene = read_for_modes(command.file, command.overrides, command.at);
-  const Json result = scene.dimension == 2
-                          ? loaded_vibrations<2>(scene, command.at, command.options.low_modes)
-                          : loaded_vibrations<3>(scene, command.at, command.options.low_modes);
+  const Json result = plumb::with_dimension(scene.dimension, [&]<int d>() {
+    return loaded_vibrations<d>(scene, command.at, command.options.low_modes);
+  });
   session.text() << loaded_text(result) << std::flush;
   session.write_csv(result["modes"]);
   session.write_json(result);

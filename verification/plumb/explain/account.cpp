@@ -53,6 +53,7 @@ Statement body_of(const Scene& scene, const TlsphBody<d>& simulation) {
       "{} of {} m{}, {} particles {:.4g} m apart ({} layout{}), {:.1f} neighbours each, at most {}",
       scene.body.shape, list(scene.body.size, " x "),
       d == 3                                  ? ""
+      : d == 1                                ? " in uniaxial strain"
       : scene.material.plane == Plane::stress ? " in plane stress"
                                               : " in plane strain",
       solid.cloud.size(), solid.cloud.spacing, name_of(scene.body.layout),
@@ -246,8 +247,10 @@ Statement step_reason(const Scene& scene, const TlsphBody<d>& simulation, double
       "THEORY (7.3)"};
 }
 
+template std::vector<Statement> account_of<1>(const Scene&, const TlsphBody<1>&);
 template std::vector<Statement> account_of<2>(const Scene&, const TlsphBody<2>&);
 template std::vector<Statement> account_of<3>(const Scene&, const TlsphBody<3>&);
+template Statement step_reason<1>(const Scene&, const TlsphBody<1>&, double);
 template Statement step_reason<2>(const Scene&, const TlsphBody<2>&, double);
 template Statement step_reason<3>(const Scene&, const TlsphBody<3>&, double);
 

@@ -103,6 +103,7 @@ Costs costs_of(const Scene& sample) {
   };
   for_each_part(sample.method, [&]<class Part>(const std::optional<Part>& part) {
     if (std::is_same_v<Part, DampingOptions>) return;  // no memory, and its cost is that of its step
+    if (d == 1 && std::is_same_v<Part, ProjectionOptions>) return;  // nothing turns on a line
     compare(fmt::format("{} ({})", Part::subject, Part::section), part.has_value(), [&](Scene& other) {
       for_each_part(other.method, [&]<class Other>(std::optional<Other>& its) {
         if constexpr (std::is_same_v<Other, Part>) its = part ? std::nullopt : std::optional(Part{});

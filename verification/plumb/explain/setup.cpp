@@ -21,7 +21,7 @@ constexpr Growth factors_2d{0.79, 6561, 1.5}, factors_3d{36, 10648, 2}, iteratio
 template <int d>
 double expected(const Cloud<d>& cloud, double R) {
   const auto n = static_cast<double>(cloud.size());
-  if (d == 2) return factors_2d(n);
+  if (d <= 2) return factors_2d(n);  // at most that for a bar, whose matrix is a band
   const bool thin_lattice = cloud.line > 0 && R <= 2 * cloud.spacing;
   return thin_lattice ? factors_3d(n) : iterations_3d(n);
 }
@@ -42,6 +42,7 @@ std::string text_of(const std::optional<ProjectionCost>& cost) {
                      cost->cpu_s < 0.1 ? "less than 0.1" : fmt::format("about {:.2g}", cost->cpu_s));
 }
 
+template std::optional<ProjectionCost> projection_cost<1>(const Scene&, const Cloud<1>&);
 template std::optional<ProjectionCost> projection_cost<2>(const Scene&, const Cloud<2>&);
 template std::optional<ProjectionCost> projection_cost<3>(const Scene&, const Cloud<3>&);
 

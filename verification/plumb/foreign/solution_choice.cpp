@@ -29,7 +29,8 @@ std::map<std::string, double> checked_parameters(const mms::SolutionEntry& entry
 
 SolutionChoice read_solution_choice(const std::string& name, int dimension, const Section& root) {
   const mms::SolutionEntry entry = mms::solution_entry(name);
-  if (dimension == 0) dimension = entry.dimensions.front();
+  // points of other programs lie in a plane or in space
+  if (dimension == 0) dimension = std::max(2, entry.dimensions.front());
   if (std::find(entry.dimensions.begin(), entry.dimensions.end(), dimension) == entry.dimensions.end())
     throw InputError(fmt::format("the solution {} does not exist in {}D", name, dimension), "",
                      "See `plumb mms --list`.");

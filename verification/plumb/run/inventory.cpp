@@ -94,6 +94,7 @@ std::size_t available_bytes() {
   return 0;
 }
 
+template Parts parts_of<1>(const Scene&, const TlsphBody<1>&);
 template Parts parts_of<2>(const Scene&, const TlsphBody<2>&);
 template Parts parts_of<3>(const Scene&, const TlsphBody<3>&);
 

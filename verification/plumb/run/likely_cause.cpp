@@ -36,6 +36,7 @@ std::string likely_cause(const Scene& scene, const TlsphBody<d>& simulation, dou
   return "";
 }
 
+template std::string likely_cause<1>(const Scene&, const TlsphBody<1>&, double);
 template std::string likely_cause<2>(const Scene&, const TlsphBody<2>&, double);
 template std::string likely_cause<3>(const Scene&, const TlsphBody<3>&, double);
 

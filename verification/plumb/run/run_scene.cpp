@@ -139,6 +139,7 @@ int run_scene(const Session& session, const Scene& scene, const RunOptions& opti
   return run_into<d>(&folder, session, scene, options, start);
 }
 
+template int run_scene<1>(const Session&, const Scene&, const RunOptions&, double);
 template int run_scene<2>(const Session&, const Scene&, const RunOptions&, double);
 template int run_scene<3>(const Session&, const Scene&, const RunOptions&, double);
 

@@ -15,17 +15,18 @@ namespace plumb::app {
 namespace {
 
 /// Bytes per particle that any scene takes while it is built and run: what `plumb explain` measured as
-/// peak_rss over particles for large lattices at beta = 0.9 (2D 259, 3D 331), rounded down.
+/// peak_rss over particles for large lattices at beta = 0.9 (2D 259, 3D 331), rounded down; for bars,
+/// which were not measured, half of a plate's.
 double least_bytes(const Scene& scene) {
-  return scene.dimension == 2 ? 200 : 300;
+  return scene.dimension == 1 ? 100 : scene.dimension == 2 ? 200 : 300;
 }
 
 /// Bytes of the bonds, at least. Measured at beta = 0.9 on jittered clouds: 3060 a particle in 2D with 9
 /// neighbours, 7960 in 3D with 26, so some 300 a pair. Lattices keep one row for equal neighbourhoods: those
 /// within a radius of the rim differ.
 double bond_bytes(const Scene& scene) {
-  const double support = scene.dimension == 2 ? kernel_named<2>(scene.method.kernel).support
-                                              : kernel_named<3>(scene.method.kernel).support;
+  const double support = plumb::with_dimension(
+      scene.dimension, [&]<int d>() { return kernel_named<d>(scene.method.kernel).support; });
   const double reach = std::ceil(support * scene.method.beta);
   double rows = 1, neighbours = 1;
   for (const long along : scene.body.particles) {

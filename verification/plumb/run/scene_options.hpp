@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/core/dimension.hpp"
 #include "lib/scene/scene.hpp"
 
 namespace CLI {
@@ -30,10 +31,10 @@ Scene scene_of(const SceneOptions& options);
 /// All settings of the scene with its overrides, by dotted key.
 std::map<std::string, std::string> settings_of(const SceneOptions& options);
 
-/// f.template operator()<d>() for the dimension d of the scene: the one place that chooses it for scenes.
+/// f.template operator()<d>() for the dimension d of the scene.
 template <class F>
 int with_dimension(const Scene& scene, F&& f) {
-  return scene.dimension == 2 ? f.template operator()<2>() : f.template operator()<3>();
+  return plumb::with_dimension(scene.dimension, f);
 }
 
 }  // namespace plumb::app

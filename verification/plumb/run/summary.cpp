@@ -188,10 +188,13 @@ Json summary(const FinishedRun<d>& run) {
   return json;
 }
 
+template Json summary<1>(const FinishedRun<1>&);
 template Json summary<2>(const FinishedRun<2>&);
 template Json summary<3>(const FinishedRun<3>&);
+template EnergyBudget energy_budget<1>(const FinishedRun<1>&);
 template EnergyBudget energy_budget<2>(const FinishedRun<2>&);
 template EnergyBudget energy_budget<3>(const FinishedRun<3>&);
+template Drifts drifts_of<1>(const FinishedRun<1>&);
 template Drifts drifts_of<2>(const FinishedRun<2>&);
 template Drifts drifts_of<3>(const FinishedRun<3>&);
 

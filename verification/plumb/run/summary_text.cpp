@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "lib/measures/body_units.hpp"
 #include "lib/output/progress.hpp"
 #include "lib/output/terminal.hpp"
 #include "verification/plumb/run/inventory.hpp"
@@ -26,7 +27,7 @@ std::string failure_text(const Failure& failure) {
 /// "energy 3 J = kinetic 1 + strain 2", and how it came about.
 template <int d>
 std::string energy_text(const FinishedRun<d>& run) {
-  const char* unit = d == 2 ? "J/m" : "J";
+  const char* unit = BodyUnits<d>::energy;
   const EnergyBudget energy = energy_budget(run);
   std::string text = fmt::format("  energy {:.9g} {} = kinetic {:.9g} + strain {:.9g}", energy.total, unit,
                                  energy.kinetic, energy.strain);
@@ -82,21 +83,21 @@ std::string summary_text(const FinishedRun<d>& run) {
   text += energy_text(run);
   if (is_free(run.scene)) {
     const Drifts drift = drifts_of(run);
-    text += fmt::format(
-        "  drift of linear momentum {:.3g}, of angular momentum {:.3g}, relative to the initial scale\n",
-        drift.linear, drift.angular);
+    text += fmt::format("  drift of linear momentum {:.3g}{}, relative to the initial scale\n", drift.linear,
+                        d > 1 ? fmt::format(", of angular momentum {:.3g}", drift.angular) : "");
   }
   for (int k = 0; k < d; ++k)
     text += fmt::format("  {} from {:.6g} to {:.6g} m\n", "xyz"[k], extent.lower[k], extent.upper[k]);
   if (run.simulation.reactions)
     for (const auto& [boundary, force] : run.simulation.reactions())
       text += fmt::format("  supports \"{}\" push with {} {}\n", boundary, place_text(force.data(), d),
-                          d == 2 ? "N/m" : "N");
+                          BodyUnits<d>::force);
   for (const auto& probe : run.probes) text += probe_text(run, probe);
   if (run.tlsph && run.tlsph->compatible) text += "  " + compatible_text(run.tlsph->compatible.get());
   return text;
 }
 
+template std::string summary_text<1>(const FinishedRun<1>&);
 template std::string summary_text<2>(const FinishedRun<2>&);
 template std::string summary_text<3>(const FinishedRun<3>&);
 

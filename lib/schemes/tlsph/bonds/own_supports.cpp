@@ -85,6 +85,7 @@ void use_own_supports(BondOptions<d>& options, std::vector<double> radius) {
   template std::vector<double> support_radii<d>(const Cloud<d>&, long);                                    \
   template std::vector<Vec<d>> normalised_kernel_gradient<d>(Neighbourhood<d>, const CorrectedKernel<d>&); \
   template void use_own_supports<d>(BondOptions<d>&, std::vector<double>);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

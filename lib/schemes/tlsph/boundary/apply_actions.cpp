@@ -224,6 +224,7 @@ Stepper<d> with_prescribed_motion(Stepper<d> stepper, const Actions<d>& actions)
   template void apply_actions<d>(Solid<d>&, const Actions<d>&);                 \
   template void impose<d>(const Solid<d>&, const Actions<d>&, State<d>&, bool); \
   template Stepper<d> with_prescribed_motion<d>(Stepper<d>, const Actions<d>&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

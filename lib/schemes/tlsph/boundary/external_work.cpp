@@ -190,6 +190,7 @@ bool ExternalWork<d>::restore(const std::vector<KeptWork>& saved) {
   return true;
 }
 
+template class ExternalWork<1>;
 template class ExternalWork<2>;
 template class ExternalWork<3>;
 

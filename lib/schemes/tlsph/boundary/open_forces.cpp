@@ -76,6 +76,7 @@ std::vector<Vec<d>> OpenForces<d>::reactions(const Solid<d>& solid, const State<
   return forces;
 }
 
+template class OpenForces<1>;
 template class OpenForces<2>;
 template class OpenForces<3>;
 

@@ -100,6 +100,7 @@ std::optional<double> Relaxation<d>::look(const Solid<d>& solid, const State<d>&
   return scale > 0 ? unbalanced / scale : std::numeric_limits<double>::infinity();
 }
 
+template class Relaxation<1>;
 template class Relaxation<2>;
 template class Relaxation<3>;
 

@@ -52,12 +52,16 @@ std::vector<Support<d>> supports_of(const Actions<d>& actions) {
   return supports;
 }
 
+template std::vector<Index> particles_on_face<1>(const Cloud<1>&, int, bool, Layout);
 template std::vector<Index> particles_on_face<2>(const Cloud<2>&, int, bool, Layout);
 template std::vector<Index> particles_on_face<3>(const Cloud<3>&, int, bool, Layout);
+template std::vector<Index> particles_where<1>(const Cloud<1>&, const std::function<bool(const Vec<1>&)>&);
 template std::vector<Index> particles_where<2>(const Cloud<2>&, const std::function<bool(const Vec<2>&)>&);
 template std::vector<Index> particles_where<3>(const Cloud<3>&, const std::function<bool(const Vec<3>&)>&);
+template Actions<1> holding<1>(const Cloud<1>&, const std::vector<Support<1>>&);
 template Actions<2> holding<2>(const Cloud<2>&, const std::vector<Support<2>>&);
 template Actions<3> holding<3>(const Cloud<3>&, const std::vector<Support<3>>&);
+template std::vector<Support<1>> supports_of<1>(const Actions<1>&);
 template std::vector<Support<2>> supports_of<2>(const Actions<2>&);
 template std::vector<Support<3>> supports_of<3>(const Actions<3>&);
 

@@ -66,7 +66,7 @@ int axis_after(int k, int n) {
 template <int d, class Use>
 void for_each_weight(Use&& use) {
   for (int m = 1; m <= closure_reach; ++m)
-    for (int p = 0; p <= closure_reach; ++p)
+    for (int p = 0; p <= (d > 1 ? closure_reach : 0); ++p)
       for (int q = 0; q <= (d == 3 ? closure_reach : 0); ++q) use(m, p, q);
 }
 
@@ -75,7 +75,7 @@ template <int d>
 std::vector<Neighbour<d>> full_neighbourhood(const Vec<d>& step, double R) {
   constexpr int side = 2 * closure_reach + 1;
   std::vector<Neighbour<d>> seen;
-  for (int n = 0; n < (d == 2 ? side * side : side * side * side); ++n) {
+  for (int n = 0; n < (d == 1 ? side : d == 2 ? side * side : side * side * side); ++n) {
     Vec<d> X;
     for (int k = 0, rest = n; k < d; ++k, rest /= side) X[k] = (rest % side - closure_reach) * step[k];
     if (X.norm() < R * (1 - 1e-12)) seen.push_back({X, step.prod()});
@@ -93,7 +93,7 @@ InteriorWeights weights_of(int k, const Vec<d>& step, const std::vector<Neighbou
   for_each_weight<d>([&](int m, int p, int q) {
     Vec<d> X = Vec<d>::Zero();
     X[k] = m * step[k];
-    X[axis_after<d>(k, 1)] = p * step[axis_after<d>(k, 1)];
+    if (d > 1) X[axis_after<d>(k, 1)] = p * step[axis_after<d>(k, 1)];
     if (d == 3) X[axis_after<d>(k, 2)] = q * step[axis_after<d>(k, 2)];
     for (std::size_t n = 0; n < seen.size(); ++n)
       if ((seen[n].separation - X).norm() < 0.1 * step.minCoeff())
@@ -157,7 +157,8 @@ std::vector<Vec<d>> closed_stencil(const LatticeClosure<d>& closure, Neighbourho
         for_each_weight<d>([&](int m, int p, int q) {
           const int a = axis_after<d>(k, 1), b = axis_after<d>(k, 2);
           row[k] += closure.weight[k][m - 1][p][q] * axes[k].difference(m, layer[k]) *
-                    axes[a].neighbours(p, layer[a]) * (d == 3 ? axes[b].neighbours(q, layer[b]) : 1.0);
+                    (d > 1 ? axes[a].neighbours(p, layer[a]) : 1.0) *
+                    (d == 3 ? axes[b].neighbours(q, layer[b]) : 1.0);
         });
     c.push_back(row);
   }
@@ -176,11 +177,13 @@ LatticeClosure<d> close_on_lattice(BondOptions<d>& options, const Cloud<d>& clou
 #define PLUMB_INSTANTIATE(d)                                                                  \
   template std::optional<std::string> reason_against_closure<d>(const Cloud<d>&, double);     \
   template LatticeClosure<d> lattice_closure<d>(const Cloud<d>&, const BondOptions<d>&);      \
-  template double averaging<d>(const LatticeClosure<d>&, int, int);                           \
   template std::vector<Vec<d>> closed_stencil<d>(const LatticeClosure<d>&, Neighbourhood<d>); \
   template LatticeClosure<d> close_on_lattice<d>(BondOptions<d>&, const Cloud<d>&);
+PLUMB_INSTANTIATE(1)
 PLUMB_INSTANTIATE(2)
 PLUMB_INSTANTIATE(3)
 #undef PLUMB_INSTANTIATE
+template double averaging<2>(const LatticeClosure<2>&, int, int);
+template double averaging<3>(const LatticeClosure<3>&, int, int);
 
 }  // namespace plumb

@@ -12,7 +12,7 @@ inline constexpr int closure_reach = 2;
 
 /// The interior weights of one component of the gradient, all that an estimator leaves to choose:
 /// c_k = sum over m, p, q of weight[m - 1][p][q] D_m N_p N_q, with the difference D_m over m layers along
-/// axis k and N_p, N_q over p and q layers along the axes after it (cyclic; in 2D q = 0). THEORY (11.15).
+/// axis k and N_p, N_q over p and q layers along the axes after it (cyclic; in 2D q = 0, in 1D p = q = 0). THEORY (11.15).
 using InteriorWeights =
     std::array<std::array<std::array<double, closure_reach + 1>, closure_reach + 1>, closure_reach>;
 
@@ -35,7 +35,7 @@ template <int d>
 LatticeClosure<d> lattice_closure(const Cloud<d>& cloud, const BondOptions<d>& options);
 
 /// The factor of T_m in what multiplies D_1 in c_k, with bonds that reach one layer: a of THEORY (11.10),
-/// alpha of (11.11).
+/// alpha of (11.11). In 2D and 3D.
 template <int d>
 double averaging(const LatticeClosure<d>& closure, int k, int m);
 

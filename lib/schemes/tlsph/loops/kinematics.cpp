@@ -22,6 +22,7 @@ Mat<d> deformation_gradient_of(const Solid<d>& solid, const State<d>& state, Ind
   return F;
 }
 
+template Mat<1> deformation_gradient_of<1>(const Solid<1>&, const State<1>&, Index);
 template Mat<2> deformation_gradient_of<2>(const Solid<2>&, const State<2>&, Index);
 template Mat<3> deformation_gradient_of<3>(const Solid<3>&, const State<3>&, Index);
 

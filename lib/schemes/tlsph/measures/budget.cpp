@@ -250,6 +250,7 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
   account_->start_step(solid, state);
 }
 
+template class Budget<1>;
 template class Budget<2>;
 template class Budget<3>;
 

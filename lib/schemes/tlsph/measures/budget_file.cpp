@@ -1,18 +1,25 @@
 #include "lib/schemes/tlsph/measures/budget_file.hpp"
 
+#include <fmt/format.h>
+
+#include "lib/measures/body_units.hpp"
+
 namespace plumb {
 namespace {
 
-/// In 2D linear momentum has x and y, angular momentum z only.
+/// In 2D linear momentum has x and y, angular momentum z only; in 1D there is x and no angular momentum.
 template <int d>
 std::vector<std::string> columns(const BudgetSums& sums) {
+  using Units = BodyUnits<d>;
   std::vector<std::string> names{"step", "time [s]"};
   for (const auto& part : sums.parts) {
     for (int k = 0; k < d; ++k)
-      names.push_back(part.name + ": linear momentum " + "xyz"[k] + (d == 2 ? " [kg/s]" : " [kg m/s]"));
-    for (int k = d == 2 ? 2 : 0; k < 3; ++k)
-      names.push_back(part.name + ": angular momentum " + "xyz"[k] + (d == 2 ? " [kg m/s]" : " [kg m^2/s]"));
-    names.push_back(part.name + ": energy" + (d == 2 ? " [J/m]" : " [J]"));
+      names.push_back(
+          fmt::format("{}: linear momentum {} [{}]", part.name, "xyz"[k], Units::linear_momentum));
+    for (int k = Units::first_angular; k < 3; ++k)
+      names.push_back(
+          fmt::format("{}: angular momentum {} [{}]", part.name, "xyz"[k], Units::angular_momentum));
+    names.push_back(fmt::format("{}: energy [{}]", part.name, Units::energy));
   }
   names.insert(names.end(), {"gap of linear momentum", "gap of angular momentum", "gap of energy"});
   return names;
@@ -31,7 +38,7 @@ void BudgetFile<d>::observe(const Solid<d>& solid, const State<d>& state) {
   std::vector<double> row{static_cast<double>(state.step), state.time};
   for (const auto& part : budget_.total().parts) {
     row.insert(row.end(), part.linear.data(), part.linear.data() + d);
-    row.insert(row.end(), part.angular.data() + (d == 2 ? 2 : 0), part.angular.data() + 3);
+    row.insert(row.end(), part.angular.data() + BodyUnits<d>::first_angular, part.angular.data() + 3);
     row.push_back(part.energy);
   }
   const BudgetSums& step = budget_.step();
@@ -39,6 +46,7 @@ void BudgetFile<d>::observe(const Solid<d>& solid, const State<d>& state) {
   series_.append(row);
 }
 
+template class BudgetFile<1>;
 template class BudgetFile<2>;
 template class BudgetFile<3>;
 

@@ -65,14 +65,19 @@ double hourglass_share(const Solid<d>& solid, const State<d>& state) {
   return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.0;
 }
 
+template Energy energy_of<1>(const Solid<1>&, const State<1>&);
 template Energy energy_of<2>(const Solid<2>&, const State<2>&);
 template Energy energy_of<3>(const Solid<3>&, const State<3>&);
+template double energy_round_off<1>(const Solid<1>&);
 template double energy_round_off<2>(const Solid<2>&);
 template double energy_round_off<3>(const Solid<3>&);
+template Momentum momentum_of<1>(const Solid<1>&, const State<1>&);
 template Momentum momentum_of<2>(const Solid<2>&, const State<2>&);
 template Momentum momentum_of<3>(const Solid<3>&, const State<3>&);
+template Extent<1> extent_of<1>(const Solid<1>&, const State<1>&);
 template Extent<2> extent_of<2>(const Solid<2>&, const State<2>&);
 template Extent<3> extent_of<3>(const Solid<3>&, const State<3>&);
+template double hourglass_share<1>(const Solid<1>&, const State<1>&);
 template double hourglass_share<2>(const Solid<2>&, const State<2>&);
 template double hourglass_share<3>(const Solid<3>&, const State<3>&);
 

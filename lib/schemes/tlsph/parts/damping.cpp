@@ -31,6 +31,7 @@ void DampingOptions::add_to(PartSite<d>& site) const {
   site.limit_step(site.real_axis / rate);
 }
 
+template void DampingOptions::add_to(PartSite<1>&) const;
 template void DampingOptions::add_to(PartSite<2>&) const;
 template void DampingOptions::add_to(PartSite<3>&) const;
 

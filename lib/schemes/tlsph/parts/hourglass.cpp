@@ -149,6 +149,7 @@ Term<d> hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, dou
   return term;
 }
 
+template Term<1> hourglass_term<1>(const Solid<1>&, const RadialKernel<1>&, double);
 template Term<2> hourglass_term<2>(const Solid<2>&, const RadialKernel<2>&, double);
 template Term<3> hourglass_term<3>(const Solid<3>&, const RadialKernel<3>&, double);
 

@@ -65,8 +65,11 @@ void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
   }
 }
 
+template HourglassBonds hourglass_bonds<1>(const Solid<1>&, const RadialKernel<1>&, double);
 template HourglassBonds hourglass_bonds<2>(const Solid<2>&, const RadialKernel<2>&, double);
 template HourglassBonds hourglass_bonds<3>(const Solid<3>&, const RadialKernel<3>&, double);
+template void add_hourglass_stiffness<1>(const Solid<1>&, const HourglassBonds&,
+                                         std::vector<StiffnessEntry>&);
 template void add_hourglass_stiffness<2>(const Solid<2>&, const HourglassBonds&,
                                          std::vector<StiffnessEntry>&);
 template void add_hourglass_stiffness<3>(const Solid<3>&, const HourglassBonds&,

@@ -33,6 +33,7 @@ void HourglassOptions::add_to(PartSite<d>& site) const {
     add_term(site.solid, hourglass_term(site.solid, site.kernel, alpha));
 }
 
+template void HourglassOptions::add_to(PartSite<1>&) const;
 template void HourglassOptions::add_to(PartSite<2>&) const;
 template void HourglassOptions::add_to(PartSite<3>&) const;
 

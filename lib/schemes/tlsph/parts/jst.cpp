@@ -172,10 +172,13 @@ double jst_step_limit(const Solid<d>& solid, const JstOptions& options, double l
   return limit / (options.eta4 * solid.elastic.wave_speed() * h * h * h * radius);
 }
 
+template Term<1> jst_term<1>(const Solid<1>&, const JstOptions&);
 template Term<2> jst_term<2>(const Solid<2>&, const JstOptions&);
 template Term<3> jst_term<3>(const Solid<3>&, const JstOptions&);
+template double biharmonic_radius<1>(const Solid<1>&);
 template double biharmonic_radius<2>(const Solid<2>&);
 template double biharmonic_radius<3>(const Solid<3>&);
+template double jst_step_limit<1>(const Solid<1>&, const JstOptions&, double);
 template double jst_step_limit<2>(const Solid<2>&, const JstOptions&, double);
 template double jst_step_limit<3>(const Solid<3>&, const JstOptions&, double);
 

@@ -39,8 +39,10 @@ void JstOptions::add_to(PartSite<d>& site) const {
   if (eta4 > 0) site.limit_step(jst_step_limit(site.solid, *this, site.real_axis));
 }
 
+template void JstOptions::ask_for_weights(BondOptions<1>&) const;
 template void JstOptions::ask_for_weights(BondOptions<2>&) const;
 template void JstOptions::ask_for_weights(BondOptions<3>&) const;
+template void JstOptions::add_to(PartSite<1>&) const;
 template void JstOptions::add_to(PartSite<2>&) const;
 template void JstOptions::add_to(PartSite<3>&) const;
 

@@ -229,6 +229,7 @@ Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kerne
   template Term<d> slope_hourglass_term<d>(const Solid<d>&, const RadialKernel<d>&, double, \
                                            const std::vector<double>&);                     \
   template Term<d> slope_hourglass_term<d>(const Solid<d>&, const RadialKernel<d>&, double, long);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE

@@ -81,15 +81,21 @@ Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper
           [&](const RunRecord& record) { return out_of_bounds(solid, state, control, record); }};
 }
 
+template double time_step<1>(const Solid<1>&, const State<1>&, const StepControl&);
 template double time_step<2>(const Solid<2>&, const State<2>&, const StepControl&);
 template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl&);
+template double next_time_step<1>(const Solid<1>&, const State<1>&, const StepControl&, ClosestPairs<1>&);
 template double next_time_step<2>(const Solid<2>&, const State<2>&, const StepControl&, ClosestPairs<2>&);
 template double next_time_step<3>(const Solid<3>&, const State<3>&, const StepControl&, ClosestPairs<3>&);
+template RunResult run<1>(const Solid<1>&, State<1>&, const Stepper<1>&, const StepControl&,
+                          const Observer<1>&, RunRecord&);
 template RunResult run<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
                           const Observer<2>&, RunRecord&);
 template RunResult run<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
                           const Observer<3>&, RunRecord&);
 
+template Steps steps_of<1>(const Solid<1>&, State<1>&, const Stepper<1>&, const StepControl&,
+                           ClosestPairs<1>&);
 template Steps steps_of<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
                            ClosestPairs<2>&);
 template Steps steps_of<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,

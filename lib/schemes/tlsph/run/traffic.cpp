@@ -20,6 +20,7 @@ double bytes_per_update(const Solid<d>& solid, const Stepper<d>& stepper) {
   return bytes;
 }
 
+template double bytes_per_update<1>(const Solid<1>&, const Stepper<1>&);
 template double bytes_per_update<2>(const Solid<2>&, const Stepper<2>&);
 template double bytes_per_update<3>(const Solid<3>&, const Stepper<3>&);
 

@@ -159,10 +159,13 @@ std::size_t closest_pairs_bytes(const Solid<d>& solid) {
   return closest.bytes();
 }
 
+template double least_distance<1>(const Solid<1>&, const State<1>&);
 template double least_distance<2>(const Solid<2>&, const State<2>&);
 template double least_distance<3>(const Solid<3>&, const State<3>&);
+template std::size_t closest_pairs_bytes<1>(const Solid<1>&);
 template std::size_t closest_pairs_bytes<2>(const Solid<2>&);
 template std::size_t closest_pairs_bytes<3>(const Solid<3>&);
+template class ClosestPairs<1>;
 template class ClosestPairs<2>;
 template class ClosestPairs<3>;
 

@@ -44,6 +44,7 @@ double crossing_time(const Solid<d>& solid, const State<d>& state, WaveSpeed spe
   return least;
 }
 
+template double crossing_time<1>(const Solid<1>&, const State<1>&, WaveSpeed);
 template double crossing_time<2>(const Solid<2>&, const State<2>&, WaveSpeed);
 template double crossing_time<3>(const Solid<3>&, const State<3>&, WaveSpeed);
 
