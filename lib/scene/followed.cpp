@@ -82,6 +82,7 @@ void restore(Followed<d>& followed, const SavedState& saved) {
 #define PLUMBLINE_INSTANTIATE(d)                   \
   template SavedState save<d>(const Followed<d>&); \
   template void restore<d>(Followed<d>&, const SavedState&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE
