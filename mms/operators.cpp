@@ -162,7 +162,7 @@ OperatorFit fit_of(std::string_view name, std::string_view part, const std::vect
 }
 
 template <int d>
-OperatorResult run_in(const Study& study, const StudyProgress& progress) {
+OperatorResult run_operators_in(const Study& study, const StudyProgress& progress) {
   const Manufactured<d> solution = solution_of<d>(study);
   OperatorResult result;
   double work = 0, done = 0;  // in particles
@@ -188,8 +188,8 @@ OperatorResult run_in(const Study& study, const StudyProgress& progress) {
 }  // namespace
 
 OperatorResult run_operators(const Study& study, const StudyProgress& progress) {
-  if (study.dimension() == 2) return run_in<2>(study, progress);
-  if (study.dimension() == 3) return run_in<3>(study, progress);
+  if (study.dimension() == 2) return run_operators_in<2>(study, progress);
+  if (study.dimension() == 3) return run_operators_in<3>(study, progress);
   throw InputError(fmt::format("operators in {} dimensions", study.dimension()),
                    "solutions exist in 2D and 3D", "Give body.size two or three entries.");
 }

@@ -143,14 +143,6 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   return level;
 }
 
-/// The order in one norm that the study declares.
-std::optional<double> declared_order(const Study& study, std::string_view norm) {
-  if (!study.expect) return std::nullopt;
-  if (norm == "l2") return study.expect->l2;
-  if (norm == "h1") return study.expect->h1;
-  return norm == "stress_l2" ? study.expect->stress_l2 : std::nullopt;
-}
-
 StudyFit fit_of(std::string_view norm, const std::vector<Level>& errors, std::optional<double> declared) {
   StudyFit out;
   out.norm = norm;
@@ -175,7 +167,7 @@ std::vector<StudyFit> fits_of(const Study& study, const std::vector<StaticLevel>
 }
 
 template <int d>
-StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+StaticResult run_static_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const auto solution =
       manufactured<d>(study.solution, study.parameters, study.material.elastic(), study.material.law());
   if (solution.domain.shape != Domain<d>::Shape::box || study.body.layout != Layout::node)
@@ -204,8 +196,8 @@ std::vector<NormName> static_norms() {
 }
 
 StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
-  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
+  if (study.dimension() == 2) return run_static_in<2>(study, progress, sitting);
+  if (study.dimension() == 3) return run_static_in<3>(study, progress, sitting);
   throw InputError(fmt::format("a study in {} dimensions", study.dimension()), "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }

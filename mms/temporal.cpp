@@ -124,7 +124,7 @@ TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std:
 }
 
 template <int d>
-TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+TemporalResult run_temporal_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const Elastic elastic = in_dimension(d, study.material.elastic(), study.material.plane);
   const double end = end_time(study);
@@ -166,8 +166,8 @@ bool at_floor(const TemporalOrder& order, std::size_t level) {
 }
 
 TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  if (study.dimension() == 2) return run_in<2>(study, progress, sitting);
-  if (study.dimension() == 3) return run_in<3>(study, progress, sitting);
+  if (study.dimension() == 2) return run_temporal_in<2>(study, progress, sitting);
+  if (study.dimension() == 3) return run_temporal_in<3>(study, progress, sitting);
   throw InputError("a study of the time step in one dimension", "solutions exist in 2D and 3D",
                    "Give body.size two or three entries.");
 }
