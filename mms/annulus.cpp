@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "lib/core/error.hpp"
+#include "mms/solution.hpp"
 
 namespace plumb::mms {
 namespace {
-
-constexpr double pi = 3.141592653589793238462643383279502884;
 
 void check(double inner, double outer, double spacing) {
   if (!(inner > 0) || !(outer > inner) || !(spacing > 0) || spacing > (outer - inner) / 2)

@@ -163,7 +163,7 @@ OperatorFit fit_of(std::string_view name, std::string_view part, const std::vect
 }
 
 template <int d>
-OperatorResult run_in(const Study& study, const StudyProgress& progress) {
+OperatorResult run_operators_in(const Study& study, const StudyProgress& progress) {
   const Manufactured<d> solution = solution_of<d>(study);
   OperatorResult result;
   double work = 0, done = 0;  // in particles
@@ -189,7 +189,7 @@ OperatorResult run_in(const Study& study, const StudyProgress& progress) {
 }  // namespace
 
 OperatorResult run_operators(const Study& study, const StudyProgress& progress) {
-  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress); });
+  return with_dimension(study.dimension(), [&]<int d>() { return run_operators_in<d>(study, progress); });
 }
 
 }  // namespace plumb::mms

@@ -108,14 +108,6 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   return level;
 }
 
-/// The order in one norm that the study declares.
-std::optional<double> declared_order(const Study& study, std::string_view norm) {
-  if (!study.expect) return std::nullopt;
-  if (norm == "l2") return study.expect->l2;
-  if (norm == "h1") return study.expect->h1;
-  return norm == "stress_l2" ? study.expect->stress_l2 : std::nullopt;
-}
-
 StudyFit fit_of(std::string_view norm, const std::vector<Level>& errors, std::optional<double> declared) {
   StudyFit out;
   out.norm = norm;
@@ -140,7 +132,7 @@ std::vector<StudyFit> fits_of(const Study& study, const std::vector<StaticLevel>
 }
 
 template <int d>
-StaticResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+StaticResult run_static_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const bool box = solution.domain.shape == Domain<d>::Shape::box;
   if (study.body.layout != Layout::node || !(box || solution.still))
@@ -172,7 +164,8 @@ std::vector<NormName> static_norms() {
 StaticResult run_static_study(const Study& given, const StudyProgress& progress, Sitting& sitting) {
   Study study = given;
   study.quadrature = "nodal";  // the only norms that there are
-  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress, sitting); });
+  return with_dimension(study.dimension(),
+                        [&]<int d>() { return run_static_in<d>(study, progress, sitting); });
 }
 
 }  // namespace plumb::mms

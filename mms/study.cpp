@@ -14,15 +14,6 @@ namespace {
 
 constexpr std::string_view gauss_suffix = "_gauss";
 
-/// The order that the study declares in a norm, by the nodal name of the norm.
-std::optional<double> declared_order(const Study& study, std::string_view norm) {
-  if (!study.expect) return std::nullopt;
-  if (norm == "l2") return study.expect->l2;
-  if (norm == "h1") return study.expect->h1;
-  if (norm == "velocity_l2") return study.expect->velocity_l2;
-  return norm == "stress_l2" ? study.expect->stress_l2 : std::nullopt;
-}
-
 StudyFit fit_norm(const Study& study, const std::string& norm, const std::vector<StudyLevel>& levels,
                   const StudyLevel& floor) {
   StudyFit out;
@@ -124,6 +115,14 @@ StudyResult run_in(const Study& study, const StudyProgress& progress, Sitting& s
 }
 
 }  // namespace
+
+std::optional<double> declared_order(const Study& study, std::string_view norm) {
+  if (!study.expect) return std::nullopt;
+  if (norm == "l2") return study.expect->l2;
+  if (norm == "h1") return study.expect->h1;
+  if (norm == "velocity_l2") return study.expect->velocity_l2;
+  return norm == "stress_l2" ? study.expect->stress_l2 : std::nullopt;
+}
 
 std::string verdict_of(const OrderFit& fit, std::optional<double> declared) {
   return std::string(declared ? name_of(judge(fit, *declared)) : name_of(classify(fit)));

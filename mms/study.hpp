@@ -2,6 +2,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/convergence/verdict.hpp"
@@ -27,6 +28,9 @@ struct StudyResult {
 
 /// Called now and then with the share of the work that is done.
 using StudyProgress = Sitting::Listener;
+
+/// The order that a study declares in a norm of norms_of(), if any.
+std::optional<double> declared_order(const Study& study, std::string_view norm);
 
 /// Runs every level and judges the orders: solution_of, then for every spacing run_level (scheme "tlsph": driven_body and
 /// run() of its body; any other: run_scheme_level by make_scheme_simulation), measure, and fit_order over the norms. With force = "none" the difference to the run with the

@@ -125,7 +125,7 @@ TemporalOrder order_of(const Study& study, const Manufactured<d>& solution, std:
 }
 
 template <int d>
-TemporalResult run_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
+TemporalResult run_temporal_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const Elastic elastic = in_dimension(d, study.material.elastic(), study.material.plane);
   const double end = end_time(study);
@@ -167,7 +167,8 @@ bool at_floor(const TemporalOrder& order, std::size_t level) {
 }
 
 TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting) {
-  return with_dimension(study.dimension(), [&]<int d>() { return run_in<d>(study, progress, sitting); });
+  return with_dimension(study.dimension(),
+                        [&]<int d>() { return run_temporal_in<d>(study, progress, sitting); });
 }
 
 }  // namespace plumb::mms

@@ -69,8 +69,9 @@ void count(const TimedRun& run, WorkPoint& point, bool warm_up) {
 
 void run_once(const Contender& variant, int turn, WorkPoint& point, Sitting& sitting) {
   const auto make = [&] {
-    return with_dimension(variant.study.dimension(),
-                          [&]<int d>() { return make_run<d>(variant.study, point.spacing, turn == 0, sitting); });
+    return with_dimension(variant.study.dimension(), [&]<int d>() {
+      return make_run<d>(variant.study, point.spacing, turn == 0, sitting);
+    });
   };
   const auto run =
       sitting.value<TimedRun>(fmt::format("turn {}, {}, d = {} m", turn, variant.label, point.spacing), make,

@@ -70,7 +70,7 @@ std::string data_csv(const Picture& picture) {
       for (std::size_t i = 0; i < map.x.size(); ++i)
         out += fmt::format("{},{},{}\n", cell(map.x[i]), cell(map.y[j]), text(map.z[j * map.x.size() + i]));
   };
-  if (const auto* map = std::get_if<HeatMap>(&picture.map)) grid(*map, cell);
+  if (const auto* map = std::get_if<HeatMap>(&picture.map)) grid(*map, [](double z) { return cell(z); });
   if (const auto* map = std::get_if<CategoryMap>(&picture.map))
     grid(*map,
          [map](int z) { return z < 0 ? std::string() : csv_text(map->names[static_cast<std::size_t>(z)]); });

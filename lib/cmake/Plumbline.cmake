@@ -33,6 +33,12 @@ function(plumbline_target name)
     target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized -Wno-uninitialized
       -Wno-restrict)  # and in std::string operator+ (GCC bug 105651)
   endif()
+  if(CMAKE_UNITY_BUILD)  # several sources as one: the unnamed namespace of one is in scope of the next, more is inlined
+    target_compile_options(${name} PRIVATE -Wno-shadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+      target_compile_options(${name} PRIVATE -Wno-subobject-linkage -Wno-array-bounds -Wno-stringop-overflow)
+    endif()
+  endif()
   if(PLUMBLINE_WERROR)
     target_compile_options(${name} PRIVATE -Werror)
   endif()

@@ -19,11 +19,6 @@ Edge sorted(std::size_t a, std::size_t b) {
   return std::minmax(a, b);
 }
 
-std::array<Vec<3>, 3> corners_of(const TriangleMesh& mesh, std::size_t t) {
-  const auto& c = mesh.corner[t];
-  return {mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]};
-}
-
 /// Unit normals of faces, and pseudonormals of edges and corners of each triangle: the edge k begins at
 /// corner k.
 struct Normals {

@@ -14,6 +14,14 @@ struct TriangleMesh {
   std::vector<std::array<std::size_t, 3>> corner;  ///< per triangle, counterclockwise seen from outside
 };
 
+using Corners = std::array<Vec<3>, 3>;
+
+/// The corners of one triangle [m].
+inline Corners corners_of(const TriangleMesh& mesh, std::size_t triangle) {
+  const auto& c = mesh.corner[triangle];
+  return {mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]};
+}
+
 /// The mesh of these triangles, nine numbers each: corners with equal coordinates are one point.
 TriangleMesh mesh_of_corners(const std::vector<double>& coordinates);
 

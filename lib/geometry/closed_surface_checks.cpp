@@ -15,13 +15,7 @@
 namespace plumb {
 namespace {
 
-using Corners = std::array<Vec<3>, 3>;
 using Edge = std::pair<std::size_t, std::size_t>;
-
-Corners corners_of(const TriangleMesh& mesh, std::size_t t) {
-  const auto& c = mesh.corner[t];
-  return {mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]};
-}
 
 std::string place_of(const TriangleMesh& mesh, const Edge& edge) {
   return position_text<3>(mesh.points[edge.first]) + " to " + position_text<3>(mesh.points[edge.second]);

@@ -10,13 +10,7 @@
 #include "lib/input/units.hpp"
 
 namespace plumb {
-namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string in_plain_characters(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, char>, 11> raised{{{"\u207b", '-'},

@@ -6,6 +6,11 @@
 /// How people spell quantities, and what is meant.
 namespace plumb {
 
+/// True for 0 to 9, in any language of the machine.
+inline bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// Superscripts as powers and the middle dot as a product, in plain characters: "kg/m³" becomes "kg/m^3".
 std::string in_plain_characters(std::string_view text);
 

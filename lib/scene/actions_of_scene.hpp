@@ -25,6 +25,11 @@ Vec<d> evaluate_at(const std::vector<Expression>& expressions, const Vec<d>& X, 
   return value;
 }
 
+/// The time of a scene over which its formulas change [s]: one second if it ends by its number of steps.
+inline double time_scale_of(const Scene& scene) {
+  return scene.end_time.value_or(1);
+}
+
 /// Makes what [load] and the [[boundary]] tables of a scene do to its particles. `facets` is asked for the
 /// pieces of the surface if a boundary loads them. `time_scale` [s]: formulas change little in a thousandth
 /// of it. Throws InputError where a boundary meets no particle or no surface.

@@ -10,9 +10,6 @@
 namespace plumb {
 namespace {
 
-/// Of formulas in time, for a scene that ends by its number of steps [s].
-constexpr double default_time_scale = 1;
-
 /// Displacements and velocities of all particles, in their order.
 template <int d>
 BodyMotion motion_of_saved(const SavedState& saved, Index particles) {
@@ -47,8 +44,7 @@ LoadedBody<d> loaded_body(const Scene& scene, const SavedState& saved) {
   if (scene.method.scheme == "element") {
     Cloud<d> cloud = make_cloud<d>(scene.body);
     const auto facets = [&] { return surface_of<d>(scene.body, cloud).facets; };
-    Actions<d> actions =
-        actions_of_scene<d>(cloud, scene, facets, scene.end_time.value_or(default_time_scale));
+    Actions<d> actions = actions_of_scene<d>(cloud, scene, facets, time_scale_of(scene));
     const Element<d> elements({std::move(cloud), scene.material.law(), scene.material.elastic()},
                               scene.method.element, std::move(actions));
     body.energy = elements.stored_energy();

@@ -13,9 +13,6 @@
 namespace plumb {
 namespace {
 
-/// Of formulas in time, for a scene that ends by its number of steps [s].
-constexpr double default_time_scale = 1;
-
 /// Elements by Verlet, or as [implicit] says.
 template <int d>
 Simulation<d> element_simulation(Specimen<d> specimen, const Scene& scene, SchemeStart<d> start) {
@@ -70,7 +67,7 @@ template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene) {
   SchemeStart<d> start{make_cloud<d>(scene.body), {}, {}};
   const auto facets = [&] { return surface_of<d>(scene.body, start.cloud).facets; };
-  const double time_scale = scene.end_time.value_or(default_time_scale);
+  const double time_scale = time_scale_of(scene);
   start.actions = actions_of_scene<d>(start.cloud, scene, facets, time_scale);
   refuse_contradictions<d>(start.cloud, start.actions, time_scale);
   start.motion = initial_motion<d>(scene, start.cloud);

@@ -69,9 +69,6 @@ Surface<d> guess_surface(Cloud<d>& cloud) {
   }
 }
 
-/// Of formulas in time, for a scene that ends by its number of steps [s].
-constexpr double default_time_scale = 1;
-
 /// Changes of an area vector beyond this [spacing^(d-1)] are larger than any area a particle has.
 constexpr double large_change = 3;
 
@@ -151,7 +148,7 @@ TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surfac
   const auto facets = [&] {
     return surface ? surface->facets : surface_of<d>(scene.body, simulation.solid.cloud).facets;
   };
-  const double time_scale = scene.end_time.value_or(default_time_scale);
+  const double time_scale = time_scale_of(scene);
   simulation.actions = actions_of_scene<d>(simulation.solid.cloud, scene, facets, time_scale);
   simulation.supports = supports_of(simulation.actions);
   set_initial_state(simulation.solid, scene, simulation.state);

@@ -5,12 +5,11 @@
 
 #include "lib/material/laws.hpp"
 #include "mms/c/guard.hpp"
+#include "mms/c/values.hpp"
 #include "mms/manufactured.hpp"
 
 namespace plumb::c {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A parameter whose words live as long as the library.
 struct OwnParameter {

@@ -16,8 +16,6 @@
 namespace plumb::c {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 plumb_norms norms_of(std::size_t points, std::size_t components, const double* values, const double* exact,
                      const double* weights) {
   if (points == 0 || components == 0) throw InputError("a field without numbers has no norm", "", "");

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr int most_iterations = 15;
+constexpr int most_corrections = 15;
 constexpr double shortest = 1e-3;  // of the step that was asked for
 
 template <int d>
@@ -55,7 +55,7 @@ std::optional<ArcPoint> ArcLengthPath<d>::try_step(double length) {
   using Lu = Eigen::SparseLU<SparseMatrix>;  // K is not positive behind a limit point
   ArcPoint next = point_;
   Eigen::VectorXd gone;  // of the free unknowns, since the last point
-  for (next.iterations = 0; next.iterations < most_iterations; ++next.iterations) {
+  for (next.iterations = 0; next.iterations < most_corrections; ++next.iterations) {
     const auto all = residual(next.u, next.load);
     if (!all) return std::nullopt;
     const Eigen::VectorXd r = balance_.free_part(*all);

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr int most_iterations = 60;
+constexpr int most_equation_solves = 60;
 constexpr int most_halvings = 12;
 
 template <int d>
@@ -138,7 +138,7 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
   balance_.set_inertia(4 / (dt * dt) * mass_, u + dt / 2 * v);
   Eigen::VectorXd middle = 0.5 * (u + end);
   NewtonResult result;
-  for (int n = 0; n <= most_iterations; ++n) {
+  for (int n = 0; n <= most_equation_solves; ++n) {
     const auto all = balance_.residual(middle);
     result.end = NewtonEnd::inverted;
     if (!all) return result;

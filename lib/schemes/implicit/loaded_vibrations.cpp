@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-constexpr int most_iterations = 300;
+constexpr int most_subspace_steps = 300;
 constexpr double enough = 1e-9;  // change of an omega^2 between iterations, relative
 constexpr double next_shift =
     1e-6;  // of the mean diagonal, as the least shift of Newton's method; then by tens
@@ -62,7 +62,7 @@ std::vector<LoadedVibration> vibrations_about(Balance<d>& balance, const Eigen::
   factorise(S, factors);
   Eigen::MatrixXd X = first_columns(S.rows(), columns);
   Eigen::VectorXd before = Eigen::VectorXd::Constant(columns, 1e300);
-  for (int n = 0; n < most_iterations; ++n) {
+  for (int n = 0; n < most_subspace_steps; ++n) {
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(factors.solve(X));
     X = qr.householderQ() * Eigen::MatrixXd::Identity(S.rows(), columns);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(X.transpose() * (S * X));

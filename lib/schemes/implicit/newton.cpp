@@ -6,7 +6,7 @@
 namespace plumb {
 namespace {
 
-constexpr int most_iterations = 40;
+constexpr int most_newton_steps = 40;
 constexpr int most_halvings = 12;         // of a step: then its direction is of no use
 constexpr double enough_of_slope = 1e-4;  // Armijo's share of the decrease that the slope promises
 
@@ -50,7 +50,7 @@ NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance
     result.residuals.push_back(scale > 0 ? r.norm() / scale : 0);
     if (!r.allFinite()) return ended(NewtonEnd::not_a_number);
     if (r.norm() <= tolerance * scale) return ended(NewtonEnd::converged);
-    if (n == most_iterations) return ended(NewtonEnd::stalled);
+    if (n == most_newton_steps) return ended(NewtonEnd::stalled);
     balance.linearise_at(u);
     const SparseMatrix K = balance.tangent();
     const double round_off =

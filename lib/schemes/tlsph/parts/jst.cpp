@@ -44,19 +44,11 @@ void images_laplacian_of(const BondTable<d>& bonds, bool outer, const Field& q, 
   }
 }
 
-template <int d, class F>
-void with_width(const BondTable<d>& bonds, F&& f) {
-  if (bonds.width == 1)
-    f(std::integral_constant<int, 1>{});
-  else
-    f(std::integral_constant<int, native_width>{});
-}
-
 /// to = lap q (or lap' q) of one block, of the first K components; with images of all of them.
 template <int d, int K = d>
 void store_laplacian(const BondTable<d>& bonds, bool outer, const Field& q, const Block& block, Field& to) {
   const AlignedVector none;
-  with_width(bonds, [&]<int W>(std::integral_constant<int, W>) {
+  with_width(bonds, [&]<int W>() {
     laplacian_of<d, W, K>(bonds, outer ? bonds.outer_laplacian : bonds.laplacian,
                           outer ? bonds.own_outer : none, q, block,
                           [&](int k, Index i, Pack<W> sum) { sum.store(to[k] + i); });
@@ -71,7 +63,7 @@ void store_laplacian(const BondTable<d>& bonds, bool outer, const Field& q, cons
 template <int d>
 void add_outer_laplacian(const BondTable<d>& bonds, const Field& q, const Block& block, double factor,
                          BlockForce<d>& force) {
-  with_width(bonds, [&]<int W>(std::integral_constant<int, W>) {
+  with_width(bonds, [&]<int W>() {
     const auto add = [&](int k, Index i, Pack<W> sum) {
       (Pack<W>::load(force.at(k, i)) + Pack<W>(factor) * sum).store(force.at(k, i));
     };

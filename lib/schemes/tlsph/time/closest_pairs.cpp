@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lib/schemes/gather.hpp"
 #include "lib/schemes/tlsph/loops/sweeps.hpp"
 
 namespace plumb {
@@ -12,13 +13,6 @@ constexpr double reach_of_least = 4.0 / 3;
 /// Collecting costs some three passes, so candidates that did not serve so often were not worth it; then the
 /// body moves fast, and this many plain passes come first.
 constexpr long worthwhile_uses = 4, passes_between_tries = 16;
-
-/// Calls one of two functions, as the table has packs of one or of many.
-template <int d, class F>
-auto with_width(const BondTable<d>& bonds, F&& f) {
-  if (bonds.width == 1) return f(std::integral_constant<int, 1>{});
-  return f(std::integral_constant<int, native_width>{});
-}
 
 std::vector<float> rounded(const Field& u, Index slots) {
   std::vector<float> result(u.components() * slots);
@@ -69,8 +63,7 @@ template <int d>
 double least_distance(const Solid<d>& solid, const State<d>& state) {
   const Index blocks = solid.blocks();
   double least = std::numeric_limits<double>::max();
-  with_width(solid.bonds, [&](auto width) {
-    constexpr int W = width;
+  with_width(solid.bonds, [&]<int W>() {
 #pragma omp parallel for schedule(static) reduction(min : least) if (blocks >= blocks_for_threads)
     for (Index b = 0; b < blocks; ++b)
       least = std::min(least, distance_sweep<d, W>(solid.bonds, state.u, solid.block(b)));
@@ -87,8 +80,7 @@ double ClosestPairs<d>::distance(const Solid<d>& solid, const State<d>& state) {
   if (candidates_.empty()) return collect(solid, state);
   const BondTable<d>& bonds = solid.bonds;
   Seen<d> all;
-  with_width(bonds, [&](auto width) {
-    constexpr int W = width;
+  with_width(bonds, [&]<int W>() {
 #pragma omp parallel if (solid.blocks() >= blocks_for_threads)
     {
       Seen<d> own;
@@ -126,8 +118,7 @@ double ClosestPairs<d>::collect(const Solid<d>& solid, const State<d>& state) {
   rounding_ = lost_by_rounding(reference_);
   uses_ = 0;
   std::vector<std::vector<Candidate>> found(solid.blocks());
-  with_width(bonds, [&](auto width) {
-    constexpr int W = width;
+  with_width(bonds, [&]<int W>() {
 #pragma omp parallel for schedule(static) if (solid.blocks() >= blocks_for_threads)
     for (Index b = 0; b < solid.blocks(); ++b)
       for (Index pack = solid.block(b).first_pack; pack < solid.block(b).end_pack; ++pack) {

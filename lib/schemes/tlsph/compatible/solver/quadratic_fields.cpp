@@ -48,7 +48,7 @@ Products<d> products(const QuadraticFields<d>& fields, const BondOperator<d>& N)
 }
 
 /// Columns that are orthonormal in this product: fields that the particles do not tell apart are left out.
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& gram) {
+Eigen::MatrixXd orthonormal_in(const Eigen::MatrixXd& gram) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
   const double least = 1e-13 * eigen.eigenvalues()[gram.rows() - 1];
   Eigen::Index first = 0;
@@ -66,7 +66,7 @@ QuadraticFields<d> quadratic_fields(const BondOperator<d>& N) {
   for (const auto& x : N.X) fields.centre += x / static_cast<double>(N.X.size());
   for (const auto& x : N.X) fields.radius = std::max(fields.radius, (x - fields.centre).norm());
   const auto [gram, matrix] = products(fields, N);
-  const Eigen::MatrixXd basis = orthonormal(gram);
+  const Eigen::MatrixXd basis = orthonormal_in(gram);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(basis.transpose() * matrix * basis);
   const Eigen::MatrixXd vectors = basis * eigen.eigenvectors();
   fields.along_null = Eigen::MatrixXd::Zero(gram.rows(), gram.rows());
