@@ -61,7 +61,7 @@ Vec<d> exact_laplacian(const Motion<d>& motion) {
 
 /// The study's body at rest, with the weights of the Laplacian and no dissipation made of them.
 template <int d>
-TlsphBody<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
+TlsphBody<d> operator_body_of(Study study, const Manufactured<d>& solution, double spacing) {
   if (!study.method.jst) study.method.jst = JstOptions{};
   study.method.jst->eta2 = study.method.jst->eta4 = 0;
   return driven_simulation<d>(study, solution, spacing);
@@ -134,7 +134,7 @@ double constraint_defect(Solid<d>& solid, State<d>& state, const Domain<d>& doma
 
 template <int d>
 OperatorLevel level_of(const Study& study, const Manufactured<d>& solution, double spacing) {
-  TlsphBody<d> simulation = body_of<d>(study, solution, spacing);
+  TlsphBody<d> simulation = operator_body_of<d>(study, solution, spacing);
   Solid<d>& solid = simulation.solid;
   const double support = kernel_named<d>(study.method.kernel).support * solid.smoothing_length;
   if (2 * support > rim * solution.domain.length())

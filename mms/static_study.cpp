@@ -20,7 +20,7 @@ double cpu_now() {
 }
 
 template <int d>
-TlsphBody<d> body_of(Study study, const Manufactured<d>& solution, double spacing) {
+TlsphBody<d> still_body_of(Study study, const Manufactured<d>& solution, double spacing) {
   if (study.method.projection)
     throw InputError("[projection] in a static study", "it takes the torque off a force and has no stiffness",
                      "Leave it out.");
@@ -81,7 +81,7 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const TlsphBody<d> simulation = body_of<d>(study, solution, spacing);
+  const TlsphBody<d> simulation = still_body_of<d>(study, solution, spacing);
   const Solid<d>& solid = simulation.solid;
   if (simulation.compatible && !simulation.compatible->closed_form)
     level.projection = {simulation.compatible->divergence_defect, simulation.compatible->residual};

@@ -51,7 +51,7 @@ NodalValues<d> values_of(const EndField& field) {
 }
 
 /// Work of so many steps, relative.
-double work_of(std::string_view integrator, long steps) {
+double steps_work_of(std::string_view integrator, long steps) {
   double evaluations = 3;  // of the scheme as printed too
   for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) {
     if (T::name == integrator) evaluations = T::template Stepper<2>::evaluations_per_step;
@@ -60,11 +60,11 @@ double work_of(std::string_view integrator, long steps) {
 }
 
 /// Work of the whole study: of every integrator, of (30) as printed, and of the reference.
-double work_of(const Study& study, long first_steps, long reference_steps) {
+double steps_work_of(const Study& study, long first_steps, long reference_steps) {
   const long steps = first_steps * ((2L << halvings) - 1);  // 1 + 2 + 4 ..
-  double work = work_of("rk3", reference_steps);
-  for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) { work += work_of(T::name, steps); });
-  return loading_of(study).body_force ? work + work_of(printed, steps) : work;
+  double work = steps_work_of("rk3", reference_steps);
+  for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) { work += steps_work_of(T::name, steps); });
+  return loading_of(study).body_force ? work + steps_work_of(printed, steps) : work;
 }
 
 /// The field after so many steps of the integrator of that name.
@@ -91,7 +91,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   };
   LevelRun<d> out;
   out.values = values_of<d>(sitting.value<EndField>(fmt::format("{}, {} steps", integrator, steps), make,
-                                                    work_of(integrator, steps)));
+                                                    steps_work_of(integrator, steps)));
   out.cloud = std::move(simulation.solid.cloud);
   return out;
 }
@@ -133,7 +133,7 @@ TemporalResult run_temporal_in(const Study& study, const StudyProgress& progress
                                                             study.spacings.front() / elastic.wave_speed());
   const auto first_steps = static_cast<long>(std::ceil(end / first_step * (1 - 1e-12)));
   const long reference_steps = first_steps << (halvings + 2);
-  sitting.tell(work_of(study, first_steps, reference_steps), progress, "pair evaluations");
+  sitting.tell(steps_work_of(study, first_steps, reference_steps), progress, "pair evaluations");
   const LevelRun<d> reference = field_after<d>(study, solution, "rk3", reference_steps, sitting);
   const ExactField<d> exact = exact_field<d>(solution, end),
                       zero = [](const Vec<d>&) { return PointValue<d>{}; };

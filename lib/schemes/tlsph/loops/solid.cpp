@@ -80,6 +80,7 @@ UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state) {
   throw std::logic_error("an evaluation failed at no particle");
 }
 
+template UnsoundParticle find_unsound<1>(const Solid<1>&, const State<1>&);
 template UnsoundParticle find_unsound<2>(const Solid<2>&, const State<2>&);
 template UnsoundParticle find_unsound<3>(const Solid<3>&, const State<3>&);
 template Sweeps<1> sweeps_of_choice<1>(const LawChoice&, const Elastic&, const BondTable<1>&);
