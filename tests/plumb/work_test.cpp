@@ -96,7 +96,8 @@ TEST(WorkInTheSummary, OfGravityIsTheKineticEnergyOfAFall) {
     EXPECT_NEAR(at(e["kinetic"]), work, 1e-12 * work);
     EXPECT_EQ(at(e["damping_work"]), 0);
     EXPECT_EQ(at(e["support_work"]), 0);
-    EXPECT_LT(std::abs(at(e["net_change"])), 1e-12);
+    // the strain energy is known to the rounding of modulus times volume, 1e6 * 0.5 * 2e-16 J of 0.4 J
+    EXPECT_LT(std::abs(at(e["net_change"])), 1e-9);
   }
 }
 

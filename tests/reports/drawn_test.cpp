@@ -53,6 +53,7 @@ const std::vector<Shown> axes{
     {"change of the energy", {"total energy"}},
     {"energy", {"energy"}},
     {"displacement in y", {"tip displacement y [m]"}},
+    {"displacement", {"tip displacement x [m]", "tip displacement y [m]"}},
     {"hourglass share", {"hourglass share"}},
     {"1/2 - ν", {"1/2 - nu"}},
 };
@@ -88,7 +89,7 @@ class Lookup {
   template <class Fits>
   const Origin* find(double drawn, Fits&& fits) const {
     const Origin* first = nullptr;
-    std::vector<double> values{drawn, 1e3 * drawn, 1e6 * drawn, 1e9 / drawn};
+    std::vector<double> values{drawn, 1e-3 * drawn, 1e3 * drawn, 1e6 * drawn, 1e9 / drawn};
     for (const double reference : references_) {
       values.push_back(drawn / 100 * reference);
       values.push_back((1 + drawn / 100) * reference);
@@ -103,7 +104,7 @@ class Lookup {
 
  private:
   const Origin* at(double value) const {
-    const auto next = invention_->origins.lower_bound(value * (1 - 1e-12));
+    const auto next = invention_->origins.lower_bound(value - 1e-12 * std::abs(value));
     if (next == invention_->origins.end() || !near(next->first, value)) return nullptr;
     return jobs_.contains(next->second.row->job) ? &next->second : nullptr;
   }

@@ -133,10 +133,18 @@ class Invention {
   void write_swing() {
     std::ofstream out(place_ / "series.csv");
     out.precision(17);
-    out << "time [s],tip displacement x [m],tip displacement y [m]\n";
+    const std::array<std::string, 3> columns{"time [s]", "tip displacement x [m]", "tip displacement y [m]"};
+    out << fmt::format("{}\n", fmt::join(columns, ","));
     for (int n = 0; n <= 60; ++n) {
+      const auto made = start_row();
       const double t = 0.05 * n, swing = std::cos(6.3 * t) - 1;
-      out << t << ',' << 0.014 * swing << ',' << 0.065 * swing << '\n';
+      const std::array<double, 3> values{t, 0.014 * swing, 0.065 * swing};
+      for (std::size_t k = 0; k < 3; ++k) {
+        made->numbers[columns[k]] = values[k];
+        if (k > 0) origins[values[k]] = {made, columns[k]};
+        out << (k ? "," : "") << values[k];
+      }
+      out << '\n';
     }
   }
   Json oned(const Words& w);

@@ -164,7 +164,9 @@ TEST_P(BarsBy, PutTheTractionIntoTheStress) {
   const Snapshot<1> shown = end.snapshot();
   // behind the front of the ramp: X > 1 - 0.6 m; an equilibrium has it everywhere. The updated scheme has another law and
   // dissipation at the front.
-  for (std::size_t i = 60; i + 2 < shown.X.size(); ++i)
+  const std::size_t end_cells =
+      GetParam() == "updated" ? 4 : 2;  // its support is three cells, and the sum at an end misses half
+  for (std::size_t i = 60; i + end_cells < shown.X.size(); ++i)
     EXPECT_NEAR(shown.cauchy[i](0, 0), 30e6, GetParam() == "updated" ? 0.9e6 : 0.2e6) << shown.X[i][0];
 }
 

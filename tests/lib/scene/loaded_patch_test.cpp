@@ -1,5 +1,4 @@
-// Patch test with tractions: a body that stands aslant to its lattice, stretched and turned, stays where the
-// tractions P N on all its sides hold it.
+// Patch test with tractions: a body that is stretched and turned stays where the tractions P N on all its sides hold it.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -12,17 +11,6 @@
 
 namespace plumb {
 namespace {
-
-/// A square of 1 m, turned by 0.5 rad about the origin.
-const double c = std::cos(0.5), s = std::sin(0.5);
-
-Vec<2> turned(double x, double y) {
-  return {c * x - s * y, s * x + c * y};
-}
-
-std::string point(const Vec<2>& X) {
-  return fmt::format("[{:.17g}, {:.17g}]", X[0], X[1]);
-}
 
 /// Stretched, sheared and turned by 0.7 rad.
 Mat<2> deformation() {
@@ -39,14 +27,14 @@ Mat<2> first_piola(const Mat<2>& F) {
   return (in_space.determinant() * cauchy * in_space.inverse().transpose()).topLeftCorner<2, 2>();
 }
 
-/// The square with what `side` says about the sides, by their normals in the frame of the square.
+/// A square of 1 m with what `side` says about the sides, by their normals.
 template <class Side>
 Scene square(const std::string& initial, Side&& side) {
   std::string text = R"([scene]
 dimension = 2
 max_steps = 200
 [body]
-shape = "polygon"
+size = [1, 1]
 spacing = 0.1
 layout = "node"
 [material]
@@ -59,19 +47,15 @@ gradient = "compatible"
 momentum = "adjoint"
 cfl = 0.5
 )" + initial;
-  const std::string corners = fmt::format("corners = [{}, {}, {}, {}]\n", point(turned(0, 0)),
-                                          point(turned(1, 0)), point(turned(1, 1)), point(turned(0, 1)));
-  text.insert(text.find("spacing"), corners);
   for (int axis = 0; axis < 2; ++axis)
-    for (const double end : {0.0, 1.0}) {
-      const Vec<2> N = turned(axis == 0 ? 2 * end - 1 : 0, axis == 1 ? 2 * end - 1 : 0);
-      text += fmt::format("[[boundary]]\nwhere = \"{:.17g}*X + {:.17g}*Y > {:.17g}\"\n{}", N[0], N[1],
-                          end - 1e-6, side(N));
+    for (const int sign : {-1, 1}) {
+      const Vec<2> N = sign * Vec<2>::Unit(axis);
+      text += fmt::format("[[boundary]]\nface = \"{}{}\"\n{}", "xy"[axis], sign < 0 ? '-' : '+', side(N));
     }
   return parse_scene(text, "patch.toml");
 }
 
-TEST(LoadedPatch, ABodyAslantStaysWhereItsTractionsHoldIt) {
+TEST(LoadedPatch, ATurnedBodyStaysWhereItsTractionsHoldIt) {
   const Mat<2> F = deformation(), P = first_piola(F), H = F - Mat<2>::Identity();
   const std::string start =
       fmt::format("[initial]\ndisplacement = [\"{:.17g}*X + {:.17g}*Y\", \"{:.17g}*X + {:.17g}*Y\"]\n",
@@ -84,9 +68,6 @@ TEST(LoadedPatch, ABodyAslantStaysWhereItsTractionsHoldIt) {
   RunRecord record;
   ASSERT_TRUE(run<2>(simulation, {}, record).completed());
   const Snapshot<2> shown = simulation.snapshot();
-  double weight = 0;
-  for (const double mass : shown.mass) weight += mass;
-  EXPECT_NEAR(weight, 1000, 1e-9);  // the cells fill the square
   for (std::size_t i = 0; i < shown.X.size(); ++i) {
     // the projection leaves 1e-14 of the stress; 200 steps double it some times
     EXPECT_LT((shown.u[i] - H * shown.X[i]).norm(), 1e-10) << shown.X[i].transpose();
@@ -96,12 +77,12 @@ TEST(LoadedPatch, ABodyAslantStaysWhereItsTractionsHoldIt) {
 
 /// The force of a pressure on one side is p times its length in the turned and stretched body, along its
 /// normal there: -p cof F N, whatever the law. The other three sides are free, so that it is all of the force.
-TEST(LoadedPatch, APressureOnASideAslantPushesAlongTheNormalOfNow) {
+TEST(LoadedPatch, APressureOnASidePushesAlongTheNormalOfNow) {
   const Mat<2> F = deformation(), H = F - Mat<2>::Identity();
   const std::string start =
       fmt::format("[initial]\ndisplacement = [\"{:.17g}*X + {:.17g}*Y\", \"{:.17g}*X + {:.17g}*Y\"]\n",
                   H(0, 0), H(0, 1), H(1, 0), H(1, 1));
-  const Vec<2> pushed = turned(1, 0);
+  const Vec<2> pushed = Vec<2>::UnitX();
   Scene scene = square(start, [&](const Vec<2>& N) {
     return fmt::format("kind = \"pressure\"\npressure = \"{}\"\n", (N - pushed).norm() < 1e-12 ? "3e4" : "0");
   });
@@ -110,7 +91,7 @@ TEST(LoadedPatch, APressureOnASideAslantPushesAlongTheNormalOfNow) {
   RunRecord record;
   ASSERT_TRUE(run<2>(simulation, {}, record).completed());
   const Momentum p = simulation.momentum();
-  const Vec<2> a = F * turned(0, 0), b = F * turned(0, 1);  // the side's direction: from (1, 0) to (1, 1)
+  const Vec<2> a = F * Vec<2>(1, 0), b = F * Vec<2>(1, 1);  // the ends of the side
   const Vec<2> along = b - a, outward(along[1], -along[0]);
   const Vec<2> force = -3e4 * outward;
   const double dt = simulation.steps.now().time;

@@ -72,12 +72,13 @@ TEST(PlasticBody, HasTheStressOfAPointThatIsLedByItsSteps) {
         state = point(gradient_at(time));
       }
       const Snapshot<2> end = simulation.snapshot();
-      EXPECT_GT(*state.plastic_strain, 0.05);
+      EXPECT_GT(*state.plastic_strain, 0.04);  // twelve times the strain at yield
       for (std::size_t i = 0; i < end.X.size(); ++i) {
         // F is affine to rounding; the law multiplies that by its modulus
         EXPECT_LT((end.cauchy[i] - state.cauchy).norm(), 1e-9 * 117e9) << integrator << ", " << layout;
         EXPECT_NEAR(shown(end, "plastic strain")[i], *state.plastic_strain, 1e-9);
-        EXPECT_GT(shown(end, "plastic work")[i], 0.05 * 0.4e9);
+        EXPECT_GT(shown(end, "plastic work")[i],
+                  0.04 * 0.4e9);  // the stress is at least the first yield stress
       }
     }
 }
@@ -150,7 +151,8 @@ TEST(PlasticBody, BelowTheYieldStressNothingIsRemembered) {
   RunRecord record;
   ASSERT_TRUE(run<2>(simulation, {}, record).completed());
   EXPECT_EQ(simulation.energy().more[0].value, 0);
-  for (const double strain : shown(simulation.snapshot(), "plastic strain")) EXPECT_EQ(strain, 0);
+  const Snapshot<2> end = simulation.snapshot();
+  for (const double strain : shown(end, "plastic strain")) EXPECT_EQ(strain, 0);
   EXPECT_NEAR(simulation.energy().total(), initial, 0.06 * initial);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lib/schemes/tlsph/loops/step_weights.hpp"
+
 namespace plumb {
 namespace {
 
@@ -58,16 +60,12 @@ template <int d>
 struct ExternalWork<d>::Account {
   std::string action;
   std::vector<Place> places;
-  std::vector<double> weights;  ///< Stepper::weights; one alone counts at both ends of a step
+  StepWeights weights;
   std::vector<double> sum,
       last;                    ///< per place, weighed force of this step and of its last evaluation [N/m^d]
   std::vector<double> before;  ///< velocity at the start of the step [m/s]
-  std::size_t evaluation = 0;  ///< of this step, from 1
   double done = 0;             ///< [J]
   bool holds = false;          ///< it prescribes the motion of its places
-
-  bool carries() const { return weights.size() == 1; }
-  double weight() const { return weights[std::min(evaluation, weights.size()) - 1]; }
 
   /// Calls use(number of the place, force there) for the places of a block.
   template <class Use>
@@ -77,18 +75,21 @@ struct ExternalWork<d>::Account {
       use(static_cast<std::size_t>(at - places.begin()), force(at->second, at->first));
   }
   void take_before(const Block& block, BlockForce<d>& force) {
-    for_block(block, force, [this](std::size_t n, double f) { last[n] = -weight() * f; });
+    const double weighed = weights.of(block);
+    for_block(block, force, [&](std::size_t n, double f) { last[n] = -weighed * f; });
   }
   void take_behind(const Block& block, BlockForce<d>& force) {
-    for_block(block, force, [this](std::size_t n, double f) {
-      last[n] += weight() * f;
+    const double weighed = weights.of(block);
+    for_block(block, force, [&](std::size_t n, double f) {
+      last[n] += weighed * f;
       sum[n] += last[n];
     });
   }
   /// Of supports, without the force that they prescribe: they make up for all that the velocity changes by.
   void take_reaction(const Block& block, BlockForce<d>& force) {
-    for_block(block, force, [this](std::size_t n, double f) {
-      last[n] = -weight() * f;
+    const double weighed = weights.of(block);
+    for_block(block, force, [&](std::size_t n, double f) {
+      last[n] = -weighed * f;
       sum[n] += last[n];
     });
   }
@@ -99,9 +100,9 @@ struct ExternalWork<d>::Account {
     return solid.volume[places[n].first] * (by_forces + by_motion);
   }
   void start_step(const State<d>& state) {
-    evaluation = 0;
+    weights.start_step();
     for (std::size_t n = 0; n < places.size(); ++n) {
-      sum[n] = carries() ? last[n] : 0;
+      sum[n] = weights.carries() ? last[n] : 0;
       before[n] = state.v[places[n].second][places[n].first];
     }
   }
@@ -122,17 +123,15 @@ ExternalWork<d>::ExternalWork(Solid<d>& solid, const Actions<d>& actions, const 
       continue;
     }
     account->holds = !term.held.empty();
-    account->weights = stepper.weights;
+    account->weights = StepWeights(stepper.weights, solid.blocks());
     account->sum.assign(account->places.size(), 0.0);
     account->last = account->before = account->sum;
     account->start_step(state);
     accounts_.push_back(account);
     Term<d> before, behind;
     before.name = behind.name = "work of " + term.name;
-    before.first = [account](const Solid<d>&, const Block& block, const Instant<d>&) {
-      if (block.first_pack == 0) ++account->evaluation;  // read when the first phase is over, in all threads
-    };
     before.second = [account](const Solid<d>&, const Block& block, const Instant<d>&, BlockForce<d>& force) {
+      account->weights.count(block);
       account->holds ? account->take_reaction(block, force) : account->take_before(block, force);
     };
     behind.second = [account](const Solid<d>&, const Block& block, const Instant<d>&, BlockForce<d>& force) {
@@ -173,7 +172,7 @@ std::vector<KeptWork> ExternalWork<d>::save() const {
   std::vector<KeptWork> saved;
   for (const auto& account : accounts_)
     saved.push_back(
-        {account->action, account->done, account->carries() ? account->last : std::vector<double>{}});
+        {account->action, account->done, account->weights.carries() ? account->last : std::vector<double>{}});
   return saved;
 }
 
@@ -182,10 +181,10 @@ bool ExternalWork<d>::restore(const std::vector<KeptWork>& saved) {
   for (const auto& account : accounts_) {
     const auto from = std::find_if(saved.begin(), saved.end(),
                                    [&](const KeptWork& work) { return work.action == account->action; });
-    const std::size_t needed = account->carries() ? account->places.size() : 0;
+    const std::size_t needed = account->weights.carries() ? account->places.size() : 0;
     if (from == saved.end() || from->carried.size() != needed) return false;
     account->done = from->done;
-    if (account->carries()) account->sum = account->last = from->carried;
+    if (account->weights.carries()) account->sum = account->last = from->carried;
   }
   return true;
 }

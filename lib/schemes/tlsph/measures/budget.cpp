@@ -6,6 +6,7 @@
 
 #include "lib/core/error.hpp"
 #include "lib/core/in_space.hpp"
+#include "lib/schemes/tlsph/loops/step_weights.hpp"
 #include "lib/schemes/tlsph/loops/sweeps.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
@@ -77,8 +78,7 @@ const BudgetPart& BudgetSums::part(const std::string& name) const {
 /// What the probes and the budget share.
 template <int d>
 struct Budget<d>::Account {
-  std::vector<double> weights;
-  bool carries;                  ///< the last evaluation of a step is the first of the next (Verlet)
+  StepWeights weights;
   std::vector<char> has_energy;  ///< per force: it belongs to a potential energy
   std::vector<std::pair<std::size_t, std::pair<Index, int>>>
       held;                       ///< part, and slot and component that it holds
@@ -88,29 +88,28 @@ struct Budget<d>::Account {
   std::vector<Field> impulse, last;
   /// Per block, power of internal force and stress together, times the weights [W]; likewise.
   std::vector<double> defect, last_defect;
-  std::vector<double> power;   ///< per block, of the stress alone, at this evaluation [W]
-  std::size_t evaluation = 0;  ///< of this step, from 1
+  std::vector<double> power;  ///< per block, of the stress alone, at this evaluation [W]
   State<d> before;
   double potential_before;  ///< [J]
 
-  double weight() const { return weights[std::min(evaluation, weights.size()) - 1]; }
   void add_defect(const Block& block, double power_of_force) {
     const Index b = block.begin() / block_slots;
-    last_defect[b] = weight() * (power[b] + power_of_force);
+    last_defect[b] = weights.of(block) * (power[b] + power_of_force);
     defect[b] += last_defect[b];
   }
   void add_force(std::size_t part, const Block& block, BlockForce<d>& force) {
+    const double weight = weights.of(block);
     for (int k = 0; k < d; ++k)
       for (Index i = block.begin(); i < block.end(); ++i) {
-        last[part][k][i] = weight() * force(k, i);
+        last[part][k][i] = weight * force(k, i);
         impulse[part][k][i] += last[part][k][i];
       }
   }
   void start_step(const Solid<d>& solid, const State<d>& state) {
-    evaluation = 0;
+    weights.start_step();
     for (std::size_t part = 0; part < impulse.size(); ++part)
-      impulse[part] = carries ? last[part] : solid.make_field(d);
-    defect = carries ? last_defect : std::vector<double>(defect.size(), 0.0);
+      impulse[part] = weights.carries() ? last[part] : solid.make_field(d);
+    defect = weights.carries() ? last_defect : std::vector<double>(defect.size(), 0.0);
     before = state;
     potential_before = potential_energy(solid, state);
   }
@@ -124,12 +123,9 @@ Term<d> probe(const std::shared_ptr<Account>& account, std::size_t part) {
   Term<d> term;
   term.name = "budget";
   term.bytes = account->impulse[part].bytes() + account->last[part].bytes();
-  if (part == 0)
-    term.first = [account](const Solid<d>&, const Block& block, const Instant<d>&) {
-      if (block.first_pack == 0) ++account->evaluation;  // read when the first phase is over, in all threads
-    };
   term.second = [account, part](const Solid<d>& solid, const Block& block, const Instant<d>& now,
                                 BlockForce<d>& force) {
+    if (part == 0) account->weights.count(block);
     account->add_force(part, block, force);
     if (part == account->last_internal)
       account->add_defect(block, force_power(solid, block, now.state, force));
@@ -145,8 +141,7 @@ Budget<d>::Budget(Solid<d>& solid, const State<d>& state, const std::vector<doub
   if (weights.empty())
     throw InputError("the integrator has no budget", "it does not say how it weighs the forces of a step",
                      "use rk3 or verlet, or leave out budget");
-  account_->weights = weights;
-  account_->carries = weights.size() == 1;
+  account_->weights = StepWeights(weights, solid.blocks());
   account_->defect.assign(solid.blocks(), 0.0);
   account_->last_defect = account_->power = account_->defect;
   std::vector<Term<d>> terms;
