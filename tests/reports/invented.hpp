@@ -133,12 +133,13 @@ class Invention {
   void write_swing() {
     std::ofstream out(place_ / "series.csv");
     out.precision(17);
+    const double size = number();  // no two jobs have the same
     const std::array<std::string, 3> columns{"time [s]", "tip displacement x [m]", "tip displacement y [m]"};
     out << fmt::format("{}\n", fmt::join(columns, ","));
     for (int n = 0; n <= 60; ++n) {
       const auto made = start_row();
       const double t = 0.05 * n, swing = std::cos(6.3 * t) - 1;
-      const std::array<double, 3> values{t, 0.014 * swing, 0.065 * swing};
+      const std::array<double, 3> values{t, 0.014 * size * swing, 0.065 * size * swing};
       for (std::size_t k = 0; k < 3; ++k) {
         made->numbers[columns[k]] = values[k];
         if (k > 0) origins[values[k]] = {made, columns[k]};
@@ -378,7 +379,7 @@ inline Json Invention::run(const Words& w) {
   std::vector<std::string> columns{"time [s]"};
   for (const char* part : {"kinetic", "strain", "total"}) columns.push_back(part + (" energy" + per));
   columns.insert(columns.end(), {"angular momentum z [kg m/s]", "tip displacement y [m]", "hourglass share"});
-  if (w.at("file").starts_with("flag-swinging"))
+  if (w.at("file").starts_with("flag-swinging") || w.at("file").starts_with("flag-elements"))
     write_swing();
   else
     write_table("series.csv", columns);
