@@ -138,7 +138,7 @@ class Invention {
     out << fmt::format("{}\n", fmt::join(columns, ","));
     for (int n = 0; n <= 60; ++n) {
       const auto made = start_row();
-      const double t = 0.05 * n, swing = std::cos(6.3 * t) - 1;
+      const double t = 0.05 * n, swing = std::cos(6.3 * t) - 1.1;
       const std::array<double, 3> values{t, 0.014 * size * swing, 0.065 * size * swing};
       for (std::size_t k = 0; k < 3; ++k) {
         made->numbers[columns[k]] = values[k];

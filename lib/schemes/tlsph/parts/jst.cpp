@@ -3,6 +3,8 @@
 #include <cmath>
 #include <memory>
 
+#include "lib/schemes/gather.hpp"
+
 namespace plumb {
 namespace {
 
