@@ -95,7 +95,7 @@ void Recorder<d>::record(const Simulation<d>& simulation) {
 template <int d>
 void Recorder<d>::record_series(const Simulation<d>& simulation) {
   const auto [time, step] = simulation.steps.now();
-  const SchemeEnergy energy = simulation.energy();
+  const Energy energy = simulation.energy();
   const Momentum momentum = simulation.momentum();
   std::vector<double> row{static_cast<double>(step), time, energy.kinetic, energy.strain};
   for (const auto& more : energy.more) row.push_back(more.value);

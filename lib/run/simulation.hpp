@@ -58,7 +58,7 @@ struct Simulation {
   Steps steps;
   std::function<Snapshot<d>()> snapshot;
   std::function<PointView<d>(Index particle)> at;
-  std::function<SchemeEnergy()> energy;
+  std::function<Energy()> energy;
   std::function<double()> energy_round_off;  ///< of the energy near the reference [J]; empty: none is known
   std::function<Momentum()> momentum;
   std::function<double()> hourglass_share;  ///< THEORY (8.4); empty: the scheme has none

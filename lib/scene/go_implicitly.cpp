@@ -31,17 +31,20 @@ struct Way {
 
 Failure no_equilibrium(const StaticFailure& failed, const Moment& now) {
   if (failed.cause == "inverted")
-    return {now.time,   now.step, Cause::inverted, failed.unsound->particle, failed.unsound->determinant,
-            "J = det F"};
+    return {now.time,
+            now.step,
+            Cause::inverted,
+            failed.trouble->particle,
+            failed.trouble->value,
+            failed.trouble->quantity};
   const Cause cause = failed.cause == "non-finite" ? Cause::non_finite : Cause::no_convergence;
   const std::string what = failed.cause == "limit-point" ? "beyond a limit point; residual" : "residual";
   return {now.time, now.step, cause, std::nullopt, failed.residuals.back(), what + " over the forces"};
 }
 
-Failure no_step(const NewtonResult& search, const std::optional<UnsoundParticle>& unsound,
-                const Moment& now) {
+Failure no_step(const NewtonResult& search, const std::optional<Trouble>& trouble, const Moment& now) {
   if (search.end == NewtonEnd::inverted)
-    return {now.time, now.step, Cause::inverted, unsound->particle, unsound->determinant, "J = det F"};
+    return {now.time, now.step, Cause::inverted, trouble->particle, trouble->value, trouble->quantity};
   return {now.time,
           now.step,
           Cause::no_convergence,
@@ -111,7 +114,7 @@ void go_in_time(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way, M
     BodyMotion motion = way->body.motion();
     if (!*rule) *rule = make(motion);
     const NewtonResult search = (*rule)->step(motion, step);
-    if (!search.converged()) return no_step(search, (*rule)->energy().unsound(), now());
+    if (!search.converged()) return no_step(search, (*rule)->energy().trouble(), now());
     way->body.move(motion);
     return std::nullopt;
   };

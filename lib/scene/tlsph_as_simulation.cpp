@@ -39,21 +39,6 @@ Mat<3> gradient_in_space(const Solid<d>& solid, const State<d>& state, Index i) 
   return F;
 }
 
-template <int d>
-SchemeEnergy scheme_energy(const Solid<d>& solid, const State<d>& state) {
-  const Energy energy = energy_of(solid, state);
-  SchemeEnergy shown{energy.kinetic, energy.strain, {}, {}};
-  for (const auto& term : solid.terms)
-    if (term.energy) shown.more.push_back({term.name, term.energy(solid, state)});
-  if (const auto& history = solid.sweeps.history) {
-    const double* density = history->field[history->plastic_work().first];
-    double work = 0;
-    for (Index slot = 0; slot < solid.bonds.slots.count(); ++slot) work += solid.volume[slot] * density[slot];
-    shown.more.push_back({history->plastic_work().name, work});
-  }
-  return shown;
-}
-
 /// What a particle shows of its material: that of its elastic law, or of its history.
 template <int d>
 PointState point_state(const Solid<d>& solid, const State<d>& state, const MaterialPoint& point, Index i) {
@@ -170,7 +155,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
   simulation.at = [body, point = make_point(material.law(), material.elastic())](Index i) {
     return view_of(body->solid, body->state, point, i);
   };
-  simulation.energy = [body] { return scheme_energy(body->solid, body->state); };
+  simulation.energy = [body] { return energy_of(body->solid, body->state); };
   simulation.energy_round_off = [body] { return energy_round_off(body->solid); };
   simulation.momentum = [body] { return momentum_of(body->solid, body->state); };
   simulation.hourglass_share = [body] { return hourglass_share(body->solid, body->state); };

@@ -8,8 +8,10 @@
 #include "lib/actions/actions.hpp"
 #include "lib/geometry/cloud.hpp"
 #include "lib/material/law.hpp"
+#include "lib/measures/energy.hpp"
 #include "lib/particles/role.hpp"
 #include "lib/particles/snapshot.hpp"
+#include "lib/particles/trouble.hpp"
 
 /// What a folder of schemes/ must have to run in the harness.
 namespace plumb {
@@ -26,31 +28,6 @@ struct Specimen {
 template <int d>
 struct InitialMotion {
   std::vector<Vec<d>> u, v;
-};
-
-/// Where and why a step could not be made.
-struct Trouble {
-  std::optional<Index> particle;  ///< nothing: it belongs to no particle
-  std::string quantity;           ///< "determinant of F", "density", "residual" ..
-  double value;
-};
-
-/// Energy of one kind, under the name that stands in the series.
-struct NamedEnergy {
-  std::string name;
-  double value;  ///< [J] (per metre of thickness in 2D)
-};
-
-/// Energies of a state; `dissipated` is what the scheme has turned into heat since its start.
-struct SchemeEnergy {
-  double kinetic = 0, strain = 0;  ///< [J]
-  std::vector<NamedEnergy> more;   ///< stored elsewhere (hourglass energy, plastic work ..)
-  std::optional<double> dissipated;
-  double total() const {
-    double sum = kinetic + strain;
-    for (const auto& e : more) sum += e.value;
-    return sum;
-  }
 };
 
 /// How many neighbours the particles of a scheme have now.
@@ -97,7 +74,7 @@ concept Scheme = SchemeState<typename M::State> && requires(M& m, typename M::St
   { m.step_limit(state) } -> std::convertible_to<double>;  // [s]
   { m.advance(state, dt) } -> std::same_as<std::optional<Trouble>>;
   { m.snapshot(state) } -> std::same_as<Snapshot<d>>;
-  { m.energy(state) } -> std::same_as<SchemeEnergy>;
+  { m.energy(state) } -> std::same_as<Energy>;
   { m.account() } -> std::same_as<std::vector<Statement>>;
 };
 

@@ -73,8 +73,8 @@ struct Springs {  // unit length and area, E = rho = 1, both ends held; a spring
     }
     return shown;
   }
-  plumb::SchemeEnergy energy(const State& s) const {
-    plumb::SchemeEnergy e{0, 0, {}, 0.0};
+  plumb::Energy energy(const State& s) const {
+    plumb::Energy e{0, 0, {}, 0.0};
     for (Index i = 0; i <= n; ++i) e.kinetic += mass(i) * s.v[0][i] * s.v[0][i] / 2;
     for (Index i = 0; i < n; ++i)
       e.strain += d() * stress(s, i) * stress(s, i) / 2, *e.dissipated += d() * s.heat[0][i];

@@ -187,9 +187,9 @@ Snapshot<d> Element<d>::snapshot(const State& state) const {
 }
 
 template <int d>
-SchemeEnergy Element<d>::energy(const State& state) const {
+Energy Element<d>::energy(const State& state) const {
   const BodyMotion motion = motion_of<d>(layout(), state);
-  SchemeEnergy energy;
+  Energy energy;
   for (Index i = 0; i < body_.cloud.size(); ++i)
     energy.kinetic += 0.5 * body_.elastic.density * body_.cloud.V[i] * vector_at<d>(state.v, i).squaredNorm();
   energy.strain = body_.strain_energy(body_.gradients(motion.u));
@@ -218,7 +218,7 @@ template <int d>
 StoredEnergy<d> Element<d>::stored_energy() const {
   struct Asked {
     ElementBody<d> body;
-    std::optional<UnsoundParticle> unsound;
+    std::optional<Trouble> trouble;
   };
   const auto asked = std::make_shared<Asked>(Asked{body_, {}});
   StoredEnergy<d> made;
@@ -239,15 +239,12 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   };
   made.residual = [asked](const Eigen::VectorXd& u) -> std::optional<Eigen::VectorXd> {
     const Field F = asked->body.gradients(u);
-    asked->unsound.reset();
-    if (const auto trouble = asked->body.trouble(F)) {
-      asked->unsound = UnsoundParticle{trouble->particle.value(), trouble->value};
-      return std::nullopt;
-    }
+    asked->trouble = asked->body.trouble(F);
+    if (asked->trouble) return std::nullopt;
     return asked->body.residual(u, F);
   };
   made.tangent = body_.tangent;
-  made.unsound = [asked] { return asked->unsound; };
+  made.trouble = [asked] { return asked->trouble; };
   double volume = 0;
   for (const double V : body_.cloud.V) volume += V;
   constexpr double roundings = 24, unit = 1.1e-16;  // THEORY (8.9)

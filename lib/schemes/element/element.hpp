@@ -42,7 +42,7 @@ class Element {
   double step_limit(const State& state);
   std::optional<Trouble> advance(State& state, double dt);
   Snapshot<d> snapshot(const State& state) const;
-  SchemeEnergy energy(const State& state) const;
+  Energy energy(const State& state) const;
   std::vector<Statement> account() const;
 
   /// The energy whose equilibria can be sought; it lives on its own.

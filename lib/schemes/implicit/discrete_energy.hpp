@@ -43,7 +43,7 @@ class DiscreteEnergy {
   const Slots& slots() const { return stored_.slots; }
   double round_off() const { return stored_.round_off; }  ///< of E near the reference [J]
   /// Where the last residual had no J > 0, if it had.
-  std::optional<UnsoundParticle> unsound() const { return stored_.unsound(); }
+  std::optional<Trouble> trouble() const { return stored_.trouble(); }
   const std::vector<Index>& unknowns() const { return unknowns_; }
 
  private:

@@ -86,15 +86,14 @@ struct EnergyMomentum<d>::Middle {
     return (operators.force.cwiseAbs() * P).norm();
   }
   /// Minus the internal force of the step [N]; nullopt if J is not positive at its middle or its end.
-  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u,
-                                          std::optional<UnsoundParticle>& unsound) const {
+  std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u, std::optional<Trouble>& trouble) const {
     const Eigen::VectorXd F = gradients(u);
     Eigen::VectorXd P(F.size());
     for (Index q = 0; q < F.size() / (d * d); ++q) {
       const Mat<d> middle = tensor_at<d>(F, q), first = tensor_at<d>(before, q);
       const double J = std::min(middle.determinant(), Mat<d>(2 * middle - first).determinant());
       if (!(J > 0)) {
-        unsound = UnsoundParticle{q, J};
+        trouble = Trouble{q, "J = det F", J};
         return std::nullopt;
       }
       const Mat<d> stress = stress_of_step(law, first, middle);
@@ -113,11 +112,11 @@ EnergyMomentum<d>::EnergyMomentum(const StoredEnergy<d>& energy, PointLaw<d> law
       balance_(
           [&] {
             StoredEnergy<d> with_steps = energy;
-            const auto unsound = std::make_shared<std::optional<UnsoundParticle>>();
-            with_steps.residual = [middle = middle_, unsound](const Eigen::VectorXd& u) {
-              return middle->residual(u, *unsound);
+            const auto trouble = std::make_shared<std::optional<Trouble>>();
+            with_steps.residual = [middle = middle_, trouble](const Eigen::VectorXd& u) {
+              return middle->residual(u, *trouble);
             };
-            with_steps.unsound = [unsound] { return *unsound; };
+            with_steps.trouble = [trouble] { return *trouble; };
             return with_steps;
           }(),
           actions, {from.time, 1}, from.u),

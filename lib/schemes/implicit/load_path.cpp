@@ -25,7 +25,7 @@ std::string cause_of(const NewtonResult& newton) {
 std::string StaticFailure::in_words() const {
   const std::string where = fmt::format("no equilibrium at {:.6g} of the load: ", share);
   if (cause == "inverted")
-    return where + fmt::format("J = {:.3g} at particle {}", unsound->determinant, unsound->particle);
+    return where + fmt::format("J = {:.3g} at particle {}", trouble->value, trouble->particle.value());
   if (cause == "non-finite") return where + "a force is not a number";
   if (cause == "limit-point")
     return where + "the stiffness is not positive there, as beyond a limit point or where a body buckles";
@@ -61,7 +61,7 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, BodyMotion& motion,
     if (!found.converged()) {
       const double shorter = (next - share) / 2;
       if (!options_.adaptive || shorter < least_of_first * first_)
-        return StaticFailure{cause_of(found), next, balance_.energy().unsound(), found.residuals};
+        return StaticFailure{cause_of(found), next, balance_.energy().trouble(), found.residuals};
       length_ = shorter;
       ++rejected_;
       tried_longer = true;

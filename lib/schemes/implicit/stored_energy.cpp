@@ -80,7 +80,7 @@ StoredEnergy<d> stored_energy(const Solid<d>& body) {
   };
   made.residual = [asked](const Eigen::VectorXd& u) { return residual_of(*asked, u); };
   made.tangent = solid.sweeps.tangent;
-  made.unsound = [asked] { return asked->outcome.unsound; };
+  made.trouble = [asked] { return asked->outcome.trouble; };
   made.round_off = energy_round_off(solid);
   return made;
 }

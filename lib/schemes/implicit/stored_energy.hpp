@@ -27,9 +27,8 @@ struct StoredEnergy {
   /// dE/du [N]; nullopt if some J is not positive.
   std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& u)> residual;
   std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF of the law [Pa]
-  std::function<std::optional<UnsoundParticle>()>
-      unsound;           ///< where the last residual had no positive J, if it had
-  double round_off = 0;  ///< of E near the reference [J]
+  std::function<std::optional<Trouble>()> trouble;  ///< where the last residual had no positive J, if it had
+  double round_off = 0;                             ///< of E near the reference [J]
 };
 
 /// The energy of a body of bonds: sum V W(F) and the energies of its terms (hourglass). It is that of a copy

@@ -168,10 +168,10 @@ Snapshot<d> Mixed<d>::snapshot(const State& state) {
 }
 
 template <int d>
-SchemeEnergy Mixed<d>::energy(const State& state) {
+Energy Mixed<d>::energy(const State& state) {
   follow_reference(state);
   const Field& F = gradients(state);
-  SchemeEnergy energy;
+  Energy energy;
   const auto total = [&](const Field& density, int component) {  // in the order of the slots
     double sum = 0;
     for (Index i = 0; i < slots(); ++i) sum += volume_[i] * density[component][i];

@@ -32,7 +32,7 @@ class Mixed {
   double step_limit(const State& state);
   std::optional<Trouble> advance(State& state, double dt);
   Snapshot<d> snapshot(const State& state);
-  SchemeEnergy energy(const State& state);
+  Energy energy(const State& state);
   std::vector<Statement> account() const;
 
   /// Fills the evolving fields of `rate` with the time derivatives of those of the state.

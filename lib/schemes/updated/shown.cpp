@@ -46,8 +46,8 @@ Snapshot<d> Updated<d>::snapshot(const State& state) {
 }
 
 template <int d>
-SchemeEnergy Updated<d>::energy(const State& state) {
-  SchemeEnergy energy;
+Energy Updated<d>::energy(const State& state) {
+  Energy energy;
   double bonds = 0, plastic = 0, heat = 0;
   const bool stored = options_.conservative() && bond_modulus() > 0;
   load(state);
@@ -125,7 +125,7 @@ std::vector<Statement> Updated<d>::account() const {
 
 #define PLUMBLINE_INSTANTIATE(d)                                     \
   template Snapshot<d> Updated<d>::snapshot(const UpdatedState<d>&); \
-  template SchemeEnergy Updated<d>::energy(const UpdatedState<d>&);  \
+  template Energy Updated<d>::energy(const UpdatedState<d>&);        \
   template std::vector<Statement> Updated<d>::account() const;
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

@@ -31,7 +31,7 @@ class Updated {
   double step_limit(const State& state) const;
   std::optional<Trouble> advance(State& state, double dt);
   Snapshot<d> snapshot(const State& state);
-  SchemeEnergy energy(const State& state);
+  Energy energy(const State& state);
   std::vector<Statement> account() const;
 
   static constexpr int evaluations_per_step = 1;

@@ -198,7 +198,7 @@ void check(const Row& row) {
   EXPECT_NEAR(found.strain, strain,
               1e-10 * std::abs(strain));  // differences of numbers a thousand times larger
   EXPECT_NEAR(found.kinetic, kinetic, 1e-13 * kinetic);
-  EXPECT_NEAR(found.terms, plain.hourglass_energy(u), 1e-11 * std::abs(strain));
+  EXPECT_NEAR(found.elsewhere(), plain.hourglass_energy(u), 1e-11 * std::abs(strain));
 
   auto expected = plain.forces(u, v, stress);
   hold(cloud, row, expected);

@@ -110,7 +110,7 @@ TEST(PlasticBody, ItsEnergyIsKineticElasticAndPlasticWork) {
     const double initial = simulation.energy().total();
     RunRecord record;
     ASSERT_TRUE(run<2>(simulation, {}, record).completed());
-    const SchemeEnergy end = simulation.energy();
+    const Energy end = simulation.energy();
     ASSERT_EQ(end.more.size(), 1U);
     EXPECT_EQ(end.more[0].name, "plastic work");
     EXPECT_GT(end.more[0].value, 0.2 * initial);

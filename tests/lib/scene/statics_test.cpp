@@ -15,11 +15,11 @@ using Sets = std::vector<std::string>;
 
 struct Found2 {
   Snapshot<2> shown;
-  SchemeEnergy energy;
+  Energy energy;
 };
 struct Found3 {
   Snapshot<3> shown;
-  SchemeEnergy energy;
+  Energy energy;
 };
 
 template <int d, class Found>

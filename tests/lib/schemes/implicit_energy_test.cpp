@@ -128,8 +128,8 @@ TEST(DiscreteEnergy, ATurnedOverParticleHasNoResidual) {
   VectorXd u = VectorXd::Zero(2 * solid.cloud.size());
   for (Index i = 0; i < solid.cloud.size(); ++i) u[2 * i] = -1.5 * solid.cloud.X[i][0];  // J = -0.5
   EXPECT_FALSE(energy.residual(u));
-  EXPECT_EQ(energy.unsound().value().particle, 0);
-  EXPECT_NEAR(energy.unsound().value().determinant, -0.5, 1e-12);
+  EXPECT_EQ(energy.trouble().value().particle, 0);
+  EXPECT_NEAR(energy.trouble().value().value, -0.5, 1e-12);
 }
 
 TEST(DiscreteEnergy, LeavesTheStateOfItsBodyAlone) {

@@ -314,8 +314,8 @@ TEST(Equilibrium, ATurnedOverParticleIsNamed) {
   const auto result = found(s);
   ASSERT_FALSE(result.completed());
   EXPECT_EQ(result.failure->cause, "inverted");
-  EXPECT_LE(result.failure->unsound.value().determinant, 0);
-  EXPECT_GE(result.failure->unsound.value().particle, 0);
+  EXPECT_LE(result.failure->trouble.value().value, 0);
+  EXPECT_GE(result.failure->trouble.value().particle, 0);
   EXPECT_NE(result.failure->in_words().find("J = "), std::string::npos);
   EXPECT_LT(s.state.time / 2, 1 / 1.4);
   EXPECT_GT(s.state.time / 2, 0.9 / 1.4);

@@ -199,7 +199,7 @@ TEST(MixedPlasticity, NothingFlowsBackOnUnloading) {
   }
   EXPECT_GT(most, 1e-3);
   // kinetic and elastic energy, plastic work and heat; the work is that of the stress at the end of each step
-  const SchemeEnergy energy = body.energy(state);
+  const Energy energy = body.energy(state);
   ASSERT_EQ(energy.more.size(), 1U);
   EXPECT_EQ(energy.more[0].name, "plastic work");
   EXPECT_GT(energy.more[0].value, 0.1 * E0);

@@ -156,7 +156,7 @@ TEST(MixedScheme, HeatClosesTheBalance) {
     MixedState<2> state = body.start(rough_motion(cloud, 0.02, 2));
     const double E0 = body.energy(state).total();
     EXPECT_TRUE(run_to(body, state, 0.01));
-    const SchemeEnergy energy = body.energy(state);
+    const Energy energy = body.energy(state);
     EXPECT_GT(*energy.dissipated, 0.3 * E0);
     return std::abs(E0 - energy.total() - *energy.dissipated) / E0;
   };

@@ -295,7 +295,7 @@ TEST(UpdatedLaws, EnergyDoesNotKnowTheAgeOfTheList) {
     auto body = updated_body<2>(cloud, o);
     auto state = rough<2>(body, cloud, 1);
     for (int n = 0; n < 20; ++n) {
-      const SchemeEnergy energy = body.energy(state);
+      const Energy energy = body.energy(state);
       energies[often].push_back(energy.more[0].value);
       EXPECT_GT(energy.more[0].value, 0);
       advance_by(body, state, 1);
@@ -328,7 +328,7 @@ TEST(UpdatedLaws, EnergyFallsByWhatIsDissipated) {
         cloud, [](const Vec<2>& X) { return Vec<2>(0.1 * std::sin(3 * X[0]), 0.1 * std::sin(2 * X[1])); }));
     const double at_first = body.energy(state).total();
     advance_by(body, state, n ? 200 : 100);
-    const SchemeEnergy energy = body.energy(state);
+    const Energy energy = body.energy(state);
     EXPECT_GT(*energy.dissipated, 0.01 * at_first);
     off[n] = (energy.total() + *energy.dissipated) / at_first - 1;
   }

@@ -97,7 +97,7 @@ Json momentum_json(const FinishedRun<d>& run) {
 template <int d>
 EnergyBudget energy_budget(const FinishedRun<d>& run) {
   const auto& simulation = run.simulation;
-  const SchemeEnergy now = simulation.energy();
+  const Energy now = simulation.energy();
   const double initial = run.record.initial_energy.value();
   EnergyBudget budget;
   budget.kinetic = now.kinetic;

@@ -111,7 +111,7 @@ Outcome evaluate(const Solid<d>& solid, const std::vector<Term<d>>& terms, Works
   workspace.work.pair_evaluations += solid.bonds.pairs;
   if (!sound) {
     workspace.P.clear();
-    return {find_unsound(solid, state)};
+    return {find_trouble(solid, state)};
   }
   if (workspace.stored_force.components() > 0) finish_stored_forces(solid, workspace, now, arm, update);
   return {};

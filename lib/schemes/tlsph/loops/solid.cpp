@@ -72,17 +72,17 @@ State<d> make_state(const Solid<d>& solid) {
 }
 
 template <int d>
-UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state) {
+Trouble find_trouble(const Solid<d>& solid, const State<d>& state) {
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     const double J = determinant<d, double>(deformation_gradient_of(solid, state, i));
-    if (!(J > 0)) return {i, J};
+    if (!(J > 0)) return {i, "J = det F", J};
   }
   throw std::logic_error("an evaluation failed at no particle");
 }
 
-template UnsoundParticle find_unsound<1>(const Solid<1>&, const State<1>&);
-template UnsoundParticle find_unsound<2>(const Solid<2>&, const State<2>&);
-template UnsoundParticle find_unsound<3>(const Solid<3>&, const State<3>&);
+template Trouble find_trouble<1>(const Solid<1>&, const State<1>&);
+template Trouble find_trouble<2>(const Solid<2>&, const State<2>&);
+template Trouble find_trouble<3>(const Solid<3>&, const State<3>&);
 template Sweeps<1> sweeps_of_choice<1>(const LawChoice&, const Elastic&, const BondTable<1>&);
 template Sweeps<1> sweeps_named<1>(std::string_view, const Elastic&, const BondTable<1>&);
 template Sweeps<2> sweeps_of_choice<2>(const LawChoice&, const Elastic&, const BondTable<2>&);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lib/material/material.hpp"
+#include "lib/particles/trouble.hpp"
 #include "lib/particles/work.hpp"
 #include "lib/schemes/tlsph/bonds/bond_table.hpp"
 #include "lib/schemes/tlsph/loops/stress_window.hpp"
@@ -91,16 +92,10 @@ struct Sweeps {
   std::shared_ptr<BodyHistory<d>> history = {};  ///< of a law with history (body_history.hpp); null: none
 };
 
-/// A particle whose deformation gradient has no positive determinant.
-struct UnsoundParticle {
-  Index particle;
-  double determinant;  ///< J; may be not a number
-};
-
 /// How an evaluation or a step ended: well, or at the first particle, in order, that is not sound.
 struct Outcome {
-  std::optional<UnsoundParticle> unsound = std::nullopt;
-  explicit operator bool() const { return !unsound; }
+  std::optional<Trouble> trouble = std::nullopt;  ///< with J, which may be not a number
+  explicit operator bool() const { return !trouble; }
 };
 
 /// A body of one material: its bonds, its loops and whatever optional terms the scene names. Steps do not change it: what an
@@ -167,7 +162,7 @@ State<d> make_state(const Solid<d>& solid);
 
 /// The first particle, in order, whose J is not positive or not a number; std::logic_error if there is none.
 template <int d>
-UnsoundParticle find_unsound(const Solid<d>& solid, const State<d>& state);
+Trouble find_trouble(const Solid<d>& solid, const State<d>& state);
 
 /// Room for the stresses of a body, with as many shares as threads will work on it.
 template <int d>

@@ -64,7 +64,7 @@ Index particle_of(const Solid<d>& solid, Index slot) {
 template <int d>
 double potential_energy(const Solid<d>& solid, const State<d>& state) {
   const Energy energy = energy_of(solid, state);
-  return energy.strain + energy.terms;
+  return energy.strain + energy.elsewhere();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "lib/measures/over_particles.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
+#include "lib/schemes/tlsph/loops/body_history.hpp"
 
 namespace plumb {
 
@@ -18,10 +19,16 @@ Energy energy_of(const Solid<d>& solid, const State<d>& state) {
   const double strain = sum_over_blocks(solid, [&](const Block& block) {
     return solid.sweeps.energy(solid.bonds, state.u, block, solid.volume.data());
   });
-  double terms = 0;
+  Energy energy{0.5 * solid.elastic.density * twice_kinetic, strain, {}, {}};
   for (const auto& term : solid.terms)
-    if (term.energy) terms += term.energy(solid, state);
-  return {0.5 * solid.elastic.density * twice_kinetic, strain, terms};
+    if (term.energy) energy.more.push_back({term.name, term.energy(solid, state)});
+  if (const auto& history = solid.sweeps.history) {
+    const double* density = history->field[history->plastic_work().first];
+    double work = 0;
+    for (Index slot = 0; slot < solid.bonds.slots.count(); ++slot) work += solid.volume[slot] * density[slot];
+    energy.more.push_back({history->plastic_work().name, work});
+  }
+  return energy;
 }
 
 template <int d>

@@ -1,18 +1,13 @@
 #pragma once
+#include "lib/measures/energy.hpp"
 #include "lib/measures/measures.hpp"
 #include "lib/schemes/tlsph/loops/kinematics.hpp"
 #include "lib/schemes/tlsph/loops/solid.hpp"
 
 namespace plumb {
 
-/// THEORY (8.1), (47a-c) of paper 000 [J] (per metre of thickness in 2D).
-struct Energy {
-  double kinetic = 0;
-  double strain = 0;
-  double terms = 0;  ///< of the optional terms that have one (hourglass energy)
-  double total() const { return kinetic + strain + terms; }
-};
-
+/// Finds the energies [J] (per metre of thickness in 2D), by THEORY (8.1), (47a-c) of paper 000; `more` has those of optional
+/// terms (hourglass energy) and the plastic work of a law with history.
 template <int d>
 Energy energy_of(const Solid<d>& solid, const State<d>& state);
 

@@ -7,10 +7,10 @@
 namespace plumb {
 namespace {
 
-Failure unsound(const UnsoundParticle& found, double time, long step) {
-  const bool finite = std::isfinite(found.determinant);
-  return {time,       step, finite ? Cause::inverted : Cause::non_finite, found.particle, found.determinant,
-          "J = det F"};
+Failure failure_of(const Trouble& found, double time, long step) {
+  const bool finite = std::isfinite(found.value);
+  return {time,           step,        finite ? Cause::inverted : Cause::non_finite,
+          found.particle, found.value, found.quantity};
 }
 
 /// Whether the body as a whole has left its bounds.
@@ -76,7 +76,7 @@ Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper
           [&](double dt) -> std::optional<Failure> {
             const Outcome outcome = stepper.step(solid, state, dt);
             if (outcome) return std::nullopt;
-            return unsound(*outcome.unsound, state.time, state.step);
+            return failure_of(*outcome.trouble, state.time, state.step);
           },
           [&](const RunRecord& record) { return out_of_bounds(solid, state, control, record); }};
 }

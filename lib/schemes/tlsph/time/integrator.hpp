@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Advances a body by dt. `step` names the particle whose deformation became unsound (J <= 0 or not a number), if any;
+/// Advances a body by dt. `step` names the particle where J is not positive or not a number, if any;
 /// the state is then the one before the step. `order` is the order in dt that the scheme claims; a test
 /// measures it. A new integrator is one file in integrators/. One that carries something from step to step
 /// beside the state has `carried` and `carry` as in Stepper, or a continued run differs.

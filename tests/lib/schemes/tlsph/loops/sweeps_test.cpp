@@ -179,8 +179,8 @@ TEST(Evaluate, NamesTheParticleThatIsTurnedInsideOut) {
   Workspace<2> workspace;
   const Outcome outcome = evaluate(solid, workspace, state, 0, [](const Block&, BlockForce<2>&) {});
   ASSERT_FALSE(outcome);
-  EXPECT_LE(outcome.unsound->determinant, 0);
-  EXPECT_GE(outcome.unsound->particle, 0);
+  EXPECT_LE(outcome.trouble->value, 0);
+  EXPECT_GE(outcome.trouble->particle, 0);
 }
 
 TEST(Evaluate, FindsNotANumber) {
@@ -190,7 +190,7 @@ TEST(Evaluate, FindsNotANumber) {
   Workspace<2> workspace;
   const Outcome outcome = evaluate(solid, workspace, state, 0, [](const Block&, BlockForce<2>&) {});
   ASSERT_FALSE(outcome);
-  EXPECT_TRUE(std::isnan(outcome.unsound->determinant));
+  EXPECT_TRUE(std::isnan(outcome.trouble->value));
 }
 
 TEST(BondTable, SharesRowsOnLatticesAndOnlyThere) {

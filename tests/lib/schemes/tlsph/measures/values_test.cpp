@@ -78,7 +78,7 @@ void expect_measures(const Body<d>& body) {
   const Energy energy = energy_of(body.solid, body.state);
   EXPECT_NEAR(energy.kinetic, kinetic, 1e-13 * kinetic);
   EXPECT_NEAR(energy.strain, strain, 1e-11 * strain);  // a difference of numbers a hundred times larger
-  EXPECT_EQ(energy.terms, 0);
+  EXPECT_EQ(energy.elsewhere(), 0);
   EXPECT_NEAR(energy.total(), kinetic + strain, 1e-11 * (kinetic + strain));
   const Momentum momentum = momentum_of(body.solid, body.state);
   for (int k = 0; k < 3; ++k) {
