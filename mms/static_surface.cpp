@@ -99,6 +99,7 @@ std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain)
                                                          const Cloud<d>&, double, const Eigen::VectorXd&, \
                                                          Eigen::VectorXd&);                               \
   template std::vector<Index> held_unknowns<d>(const Cloud<d>&, const Domain<d>&);
+PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)
 #undef PLUMBLINE_INSTANTIATE
