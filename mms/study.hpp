@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "lib/convergence/verdict.hpp"
-#include "mms/level.hpp"
+#include "lib/output/sitting.hpp"
+#include "lib/scene/study.hpp"
+#include "mms/study_level.hpp"
 
 namespace plumb::mms {
 

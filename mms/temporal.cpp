@@ -11,6 +11,7 @@
 #include "lib/convergence/status.hpp"
 #include "lib/core/dimension.hpp"
 #include "lib/schemes/tlsph/time/catalogue.hpp"
+#include "mms/level.hpp"
 #include "mms/pace.hpp"
 
 namespace plumb::mms {

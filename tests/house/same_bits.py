@@ -55,7 +55,7 @@ CALLS = [
     study("static", "static_plate", "study.spacings=[0.2,0.1]", command="static"),
     study("operators", "operators", "study.spacings=[0.2,0.1]", command="operators"),
 ]
-NOT_COMPARED = {"provenance", "timing", "memory", "plumbline", "command", "cpu_s", "wall_s", "setup_s", "seconds", "scale_s"}
+NOT_COMPARED = {"provenance", "timing", "memory", "plumbline", "command", "cpu_s", "wall_s", "setup_s", "solve_s", "seconds", "scale_s"}
 
 
 def bare(value):

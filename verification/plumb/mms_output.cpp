@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/convergence/norm_units.hpp"
+#include "mms/level.hpp"
 #include "mms/manufactured.hpp"
 #include "verification/plumb/fit_text.hpp"
 
