@@ -22,7 +22,7 @@ install_missing_packages() {
 }
 
 # build [TARGET..]: configures the release preset and builds the targets (all of them if none is named). A fresh folder compiles
-# eight sources as one, which takes half of the time; where two of them have helpers of one name, it goes on one by one. Who works on
+# eight sources as one, which takes two thirds of the time; where two of them have helpers of one name, it goes on one by one. Who works on
 # the sources wants them one by one: cmake --preset release -DCMAKE_UNITY_BUILD=OFF
 build() {
   local options=()
