@@ -176,29 +176,30 @@ Actions<d> seen_at(const std::shared_ptr<const double>& start, Actions<d> action
 }  // namespace
 
 template <int d>
-Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
-                 const DriveOptions& options) {
+ChosenIntegrator<d> drive(Solid<d>& solid, State<d>& state, ChosenIntegrator<d> integrator,
+                          const Manufactured<d>& solution, const DriveOptions& options) {
   const double modulus = solution.density * std::pow(solid.elastic.wave_speed(), 2);
   const Actions<d> actions = actions_of(solid.cloud, modulus, solution, options);
   set_exact_state(solid, solution, state);
   impose(solid, actions, state);
   if (!options.loads_at_step_start) {
     apply_actions(solid, actions);
-    return with_prescribed_motion(std::move(stepper), actions);
+    return with_prescribed_motion(std::move(integrator), actions);
   }
   const auto start = std::make_shared<double>(state.time);
   apply_actions(solid, seen_at<d>(start, actions));
-  stepper = with_prescribed_motion(std::move(stepper), actions);
-  stepper.step = [start, inner = stepper.step](const Solid<d>& body, State<d>& current, double dt) {
+  integrator = with_prescribed_motion(std::move(integrator), actions);
+  integrator.step = [start, inner = integrator.step](const Solid<d>& body, State<d>& current, double dt) {
     *start = current.time;
     return inner(body, current, dt);
   };
-  return stepper;
+  return integrator;
 }
 
 #define PLUMBLINE_INSTANTIATE(d)                                                                           \
   template Actions<d> actions_of<d>(const Cloud<d>&, double, const Manufactured<d>&, const DriveOptions&); \
-  template Stepper<d> drive<d>(Solid<d>&, State<d>&, Stepper<d>, const Manufactured<d>&, const DriveOptions&);
+  template ChosenIntegrator<d> drive<d>(Solid<d>&, State<d>&, ChosenIntegrator<d>, const Manufactured<d>&, \
+                                        const DriveOptions&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -35,9 +35,9 @@ Actions<d> actions_of(const Cloud<d>& cloud, double modulus, const Manufactured<
 
 /// Sets the exact displacement and velocity of the state's time and applies the actions that drive a body
 /// along the solution. Prescribed components have the force rho u_tt, and after each step of the returned
-/// stepper the exact u and u_t. The stepper keeps copies of what it needs: solution and options may go. Traction t acts on a particle as t A/V, A its share of the face.
+/// integrator the exact u and u_t. The integrator keeps copies of what it needs: solution and options may go. Traction t acts on a particle as t A/V, A its share of the face.
 template <int d>
-Stepper<d> drive(Solid<d>& solid, State<d>& state, Stepper<d> stepper, const Manufactured<d>& solution,
-                 const DriveOptions& options);
+ChosenIntegrator<d> drive(Solid<d>& solid, State<d>& state, ChosenIntegrator<d> integrator,
+                          const Manufactured<d>& solution, const DriveOptions& options);
 
 }  // namespace plumb::mms

@@ -151,8 +151,8 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
                      "it goes from equilibrium to equilibrium", "use scheme = \"tlsph\" or \"mixed\"");
   DrivenBody<d> body{driven_simulation<d>(study, solution, spacing), {}};
   TlsphBody<d>& simulation = body.simulation;
-  body.stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution,
-                       {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
+  body.integrator = drive(simulation.solid, simulation.state, simulation.integrator, solution,
+                          {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
   return body;
 }
 
@@ -181,14 +181,14 @@ LevelRun<d> run_level(const Study& study, const Manufactured<d>& solution, doubl
   const std::clock_t cpu = std::clock();
   const auto wall = std::chrono::steady_clock::now();
   const Pace<d> pace(sitting, simulation);
-  const RunResult result = run<d>(solid, simulation.state, body.stepper, simulation.control,
+  const RunResult result = run<d>(solid, simulation.state, body.integrator, simulation.control,
                                   [&](const Solid<d>&, const State<d>&) { return pace.tell(), true; });
   out.level.setup_s = static_cast<double>(cpu - begin) / CLOCKS_PER_SEC;
   out.level.cpu_s = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   out.level.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   out.level.dt = result.dt.first;
   out.level.steps = simulation.state.step;
-  out.level.pair_evaluations = body.stepper.workspace->work.pair_evaluations;
+  out.level.pair_evaluations = body.integrator.workspace->work.pair_evaluations;
   if (result.failure)
     out.level.failure = fmt::format("{} at {:.6g} s", name_of(result.failure->cause), result.failure->time);
   out.values = values_of_body<d>(study, solid, simulation.state, solution);

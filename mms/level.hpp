@@ -19,12 +19,12 @@ struct LevelRun {
   std::vector<Wall> walls;  ///< with images behind them
 };
 
-/// A body that follows a manufactured solution, ready to run by `stepper`, which drives it; that of the simulation does not.
+/// A body that follows a manufactured solution, ready to run by `integrator`, which drives it; that of the simulation does not.
 /// A value: it may be moved.
 template <int d>
 struct DrivenBody {
   TlsphBody<d> simulation;
-  Stepper<d> stepper;
+  ChosenIntegrator<d> integrator;
 };
 
 /// Returns what a total Lagrangian body of the study knows at its particles, the stress by the law of the solution; the

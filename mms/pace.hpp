@@ -19,7 +19,7 @@ class Pace {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     sitting_.check(
         simulation_.state.time / *simulation_.control.end_time,
-        static_cast<double>(simulation_.stepper.workspace->work.pair_evaluations) / elapsed.count());
+        static_cast<double>(simulation_.integrator.workspace->work.pair_evaluations) / elapsed.count());
   }
 
  private:

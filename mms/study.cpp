@@ -155,7 +155,7 @@ double size_of(const StudyLevel& level, const std::string& norm) {
 double work_of(const Study& study, double spacing) {
   int evaluations = 1;
   for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) {
-    if (T::name == study.method.integrator) evaluations = T::template Stepper<2>::evaluations_per_step;
+    if (T::name == study.method.integrator) evaluations = T::template Integrator<2>::evaluations_per_step;
   });
   const double step = study.method.cfl.value_or(1);
   return evaluations / step * std::pow(spacing, -study.dimension() - (study.method.cfl ? 1 : 0));

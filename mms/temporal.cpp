@@ -55,7 +55,7 @@ NodalValues<d> values_of(const EndField& field) {
 double steps_work_of(std::string_view integrator, long steps) {
   double evaluations = 3;  // of the scheme as printed too
   for_each_type(IntegratorCatalogue{}, [&]<class T>(Type<T>) {
-    if (T::name == integrator) evaluations = T::template Stepper<2>::evaluations_per_step;
+    if (T::name == integrator) evaluations = T::template Integrator<2>::evaluations_per_step;
   });
   return evaluations * static_cast<double>(steps);
 }
@@ -82,7 +82,7 @@ LevelRun<d> field_after(Study study, const Manufactured<d>& solution, std::strin
   TlsphBody<d>& simulation = body.simulation;
   const auto make = [&] {
     const Pace<d> pace(sitting, simulation);
-    const RunResult result = run<d>(simulation.solid, simulation.state, body.stepper, simulation.control,
+    const RunResult result = run<d>(simulation.solid, simulation.state, body.integrator, simulation.control,
                                     [&](const Solid<d>&, const State<d>&) { return pace.tell(), true; });
     if (!result.completed())
       throw InputError(
@@ -151,7 +151,7 @@ TemporalResult run_temporal_in(const Study& study, const StudyProgress& progress
         order_of<d>(study, solution, name, declared, first_steps, reference, size, sitting));
   };
   for_each_type(IntegratorCatalogue{},
-                [&]<class T>(Type<T>) { add(T::name, T::template Stepper<d>::order); });
+                [&]<class T>(Type<T>) { add(T::name, T::template Integrator<d>::order); });
   if (loading_of(study).body_force) add(printed, 1);
   std::vector<Judged> judged;
   for (const auto& order : result.orders) judged.push_back({order.verdict});

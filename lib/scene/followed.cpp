@@ -33,10 +33,10 @@ template <int d>
 SavedState save(const Followed<d>& followed) {
   const Solid<d>& solid = followed.body->solid;
   const State<d>& state = followed.body->state;
-  SavedState saved{{state.time, state.step}, followed.body->stepper.workspace->work, {}};
+  SavedState saved{{state.time, state.step}, followed.body->integrator.workspace->work, {}};
   saved.fields.push_back(gathered("displacement", solid, state.u));
   saved.fields.push_back(gathered("velocity", solid, state.v));
-  const auto& carried = followed.body->stepper.carried;
+  const auto& carried = followed.body->integrator.carried;
   if (const Field* field = carried ? carried() : nullptr)
     saved.fields.push_back(gathered("integrator", solid, *field));
   for (KeptWork work : followed.work ? followed.work->save() : followed.work_before) {
@@ -63,12 +63,12 @@ void restore(Followed<d>& followed, const SavedState& saved) {
   state.time = saved.now.time;
   state.step = saved.now.step;
   const SavedField* integrator = field_named(saved.fields, "integrator");
-  if (integrator && followed.body->stepper.carry) {
+  if (integrator && followed.body->integrator.carry) {
     Field carried = solid.make_field(d);
     scatter(solid, integrator, carried);
-    followed.body->stepper.carry(carried);
+    followed.body->integrator.carry(carried);
   }
-  followed.body->stepper.workspace->work = saved.work;
+  followed.body->integrator.workspace->work = saved.work;
   const SavedField* relaxation = field_named(saved.fields, "relaxation");
   if (followed.relaxation && relaxation) followed.relaxation->set_rate(relaxation->values.at(0));
   for (const SavedField& field : saved.fields)

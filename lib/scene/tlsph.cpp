@@ -166,18 +166,19 @@ TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surfac
                       stability_limits(scene.method.integrator).real_axis});
   simulation.warnings.insert(simulation.warnings.begin(), warnings.begin(), warnings.end());
   apply_actions(simulation.solid, simulation.actions);
-  simulation.stepper = with_history(
-      with_prescribed_motion(stepper_named<d>(scene.method.integrator, simulation.solid), simulation.actions),
-      simulation.solid);
+  simulation.integrator =
+      with_history(with_prescribed_motion(integrator_named<d>(scene.method.integrator, simulation.solid),
+                                          simulation.actions),
+                   simulation.solid);
   commit_history(simulation.solid, simulation.state);  // [initial] displacement
-  prepare(*simulation.stepper.workspace, simulation.solid, simulation.solid.terms);
+  prepare(*simulation.integrator.workspace, simulation.solid, simulation.solid.terms);
   return simulation;
 }
 
 template <int d>
 std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation) {
   const Solid<d>& solid = simulation.solid;
-  const Workspace<d>& workspace = *simulation.stepper.workspace;
+  const Workspace<d>& workspace = *simulation.integrator.workspace;
   std::vector<ArrayEntry> arrays = {
       {"reference positions and volumes",
        solid.cloud.X.size() * sizeof(Vec<d>) + solid.cloud.V.size() * sizeof(double)},
@@ -187,7 +188,7 @@ std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation) {
       {"displacement", simulation.state.u.bytes()},
       {"velocity", simulation.state.v.bytes()},
       {"first Piola-Kirchhoff stress, a window", workspace.P.bytes()},
-      {"integrator " + std::string(simulation.stepper.name), simulation.stepper.bytes}};
+      {"integrator " + std::string(simulation.integrator.name), simulation.integrator.bytes}};
   if (stores_F(solid.terms)) arrays.push_back({"deformation gradient", workspace.F.bytes()});
   if (solid.sweeps.history) arrays.push_back({"history", solid.sweeps.history->field.bytes()});
   if (stores_force(solid.terms)) arrays.push_back({"force", workspace.stored_force.bytes()});

@@ -19,7 +19,7 @@ template <int d>
 struct TlsphBody {
   Solid<d> solid;
   State<d> state;
-  Stepper<d> stepper;
+  ChosenIntegrator<d> integrator;
   StepControl control;
   Actions<d> actions;                                  ///< what acts from outside
   std::vector<Support<d>> supports;                    ///< the components that `actions` holds

@@ -17,7 +17,7 @@ namespace {
 template <int d>
 void begin(Followed<d>& followed) {
   TlsphBody<d>& body = *followed.body;
-  followed.work.emplace(body.solid, body.actions, body.stepper, body.state);
+  followed.work.emplace(body.solid, body.actions, body.integrator, body.state);
   if (followed.goes_on && !followed.work->restore(followed.work_before))
     throw InputError("the checkpoint has no work of loads and supports, or of others", "",
                      "start the run anew, without --resume");
@@ -54,8 +54,8 @@ PointState point_state(const Solid<d>& solid, const State<d>& state, const Mater
 template <int d>
 Counts counts_of(const TlsphBody<d>& body) {
   const auto& bonds = body.solid.bonds;
-  return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.stepper.workspace->work,
-          bytes_per_update(body.solid, body.stepper)};
+  return {body.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, body.integrator.workspace->work,
+          bytes_per_update(body.solid, body.integrator)};
 }
 
 template <int d>
@@ -149,8 +149,8 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
     if (term.energy) simulation.energy_names.push_back(term.name);
   if (solid.sweeps.history) simulation.energy_names.push_back(solid.sweeps.history->plastic_work().name);
   simulation.spacing = solid.cloud.spacing;
-  simulation.evaluations_per_step = body->stepper.evaluations_per_step;
-  simulation.steps = steps_of(body->solid, body->state, body->stepper, body->control, followed->closest);
+  simulation.evaluations_per_step = body->integrator.evaluations_per_step;
+  simulation.steps = steps_of(body->solid, body->state, body->integrator, body->control, followed->closest);
   simulation.snapshot = [body, material] { return snapshot_of(body->solid, body->state, material); };
   simulation.at = [body, point = make_point(material.law(), material.elastic())](Index i) {
     return view_of(body->solid, body->state, point, i);
@@ -176,7 +176,7 @@ Simulation<d> as_simulation(const std::shared_ptr<TlsphBody<d>>& body, const Mat
   simulation.close_step = [followed](bool sound) { close_step(*followed, sound); };
   simulation.keep_budget = [followed](const std::filesystem::path& file) {
     TlsphBody<d>& of = *followed->body;
-    followed->budget.emplace(file, of.solid, of.state, of.stepper.weights);
+    followed->budget.emplace(file, of.solid, of.state, of.integrator.weights);
   };
   return simulation;
 }

@@ -70,8 +70,9 @@ std::optional<Trial> attempt(const Scene& scene, const StabilityBounds& bounds,
   const std::vector<Index> measured = measured_particles(simulation);
   const Vec<d> before = edges_of(simulation, measured);
   const double energy = energy_of(simulation.solid, simulation.state).total();
-  const RunResult result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
-                                  [&](const Solid<d>&, const State<d>&) { return go_on(); });
+  const RunResult result =
+      run<d>(simulation.solid, simulation.state, simulation.integrator, simulation.control,
+             [&](const Solid<d>&, const State<d>&) { return go_on(); });
   if (result.stopped) return std::nullopt;
   Trial trial;
   if (result.failure) trial.cause = result.failure->cause;

@@ -58,7 +58,7 @@ int main() {
     text += std::string("[[boundary]]\nkind = \"roller\"\nface = \"") + face + "\"\n";
   auto wave = plumb::make_tlsph<2>(plumb::parse_scene(text, "standing wave"));
   wave.solid.sweeps = plumb::sweeps_of<2>(LinearElasticity(wave.solid.elastic), wave.solid.bonds);
-  const bool completed = plumb::run<2>(wave.solid, wave.state, wave.stepper, wave.control).completed();
+  const bool completed = plumb::run<2>(wave.solid, wave.state, wave.integrator, wave.control).completed();
 
   double fastest = 0;
   for (plumb::Index i = 0; i < wave.solid.bonds.slots.count(); ++i)

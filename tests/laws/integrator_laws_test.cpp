@@ -47,10 +47,10 @@ std::vector<Vec<2>> displacements(int n) {
   add_term(solid, load(solid));
   State<2> state = make_state(solid);
   testing::deform(solid, state, 0.05);  // released from a strained state: the stress drives the motion too
-  typename T::template Stepper<2> stepper(solid);
+  typename T::template Integrator<2> integrator(solid);
   Workspace<2> workspace;
   for (int k = 0; k < n; ++k)
-    if (!stepper.step(solid, workspace, state, end / n))
+    if (!integrator.step(solid, workspace, state, end / n))
       throw std::runtime_error("the test's motion is not sound");
   std::vector<Vec<2>> u;
   for (Index i = 0; i < solid.cloud.size(); ++i) u.push_back(vector_at<2>(state.u, solid.bonds.slots.of(i)));
@@ -68,7 +68,7 @@ class IntegratorLaws : public ::testing::Test {};
 TYPED_TEST_SUITE(IntegratorLaws, AsTypes<IntegratorCatalogue>::type, Name);
 
 TYPED_TEST(IntegratorLaws, MeasuredOrderIsTheClaimedOne) {
-  constexpr int claimed = TypeParam::template Stepper<2>::order;
+  constexpr int claimed = TypeParam::template Integrator<2>::order;
   // differences of neighbouring step counts instead of a fine reference: their ratio is 2^p without bias
   const auto u1 = displacements<TypeParam>(80), u2 = displacements<TypeParam>(160),
              u4 = displacements<TypeParam>(320);
@@ -78,16 +78,16 @@ TYPED_TEST(IntegratorLaws, MeasuredOrderIsTheClaimedOne) {
 }
 
 TYPED_TEST(IntegratorLaws, CountsItsEvaluations) {
-  using Stepper = typename TypeParam::template Stepper<2>;
+  using Integrator = typename TypeParam::template Integrator<2>;
   Solid<2> solid = testing::rubber_block<2>(4, Layout::node, 0);
   State<2> state = make_state(solid);
-  Stepper stepper(solid);
+  Integrator integrator(solid);
   Workspace<2> workspace;
-  stepper.step(solid, workspace, state, 1e-6);  // the first step may need one more
+  integrator.step(solid, workspace, state, 1e-6);  // the first step may need one more
   const auto before = workspace.work.particle_evaluations;
-  for (int k = 0; k < 5; ++k) stepper.step(solid, workspace, state, 1e-6);
+  for (int k = 0; k < 5; ++k) integrator.step(solid, workspace, state, 1e-6);
   EXPECT_EQ(workspace.work.particle_evaluations - before,
-            5 * Stepper::evaluations_per_step * solid.cloud.size());
+            5 * Integrator::evaluations_per_step * solid.cloud.size());
   EXPECT_EQ(state.step, 6);
   EXPECT_NEAR(state.time, 6e-6, 1e-18);
 }
@@ -118,10 +118,10 @@ bool grows(double lambda_dt, bool oscillates) {
   State<2> state = make_state(solid);
   const Index probe = solid.bonds.slots.of(5);
   state.v[0][probe] = 1e-6;
-  typename T::template Stepper<2> stepper(solid);
+  typename T::template Integrator<2> integrator(solid);
   Workspace<2> workspace;
   for (int step = 0; step < 400; ++step)
-    if (!stepper.step(solid, workspace, state, dt)) return true;
+    if (!integrator.step(solid, workspace, state, dt)) return true;
   const double speed = std::abs(state.v[0][probe]), position = std::abs(state.u[0][probe]) * lambda_dt / dt;
   // a bounded oscillation near its limit has at most 1/sqrt(1 - 0.98^2) = 5 times its first amplitude
   return speed > 1e-4 || (oscillates && position > 1e-4);

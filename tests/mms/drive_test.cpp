@@ -28,9 +28,9 @@ template <int d>
 double error_after(const char* solution_name, double time_step, double end, double* boundary = nullptr) {
   const Manufactured<d> solution = manufactured<d>(solution_name, {}, Elastic{17e6, 0.3, 1100});
   TlsphBody<d> simulation = make_tlsph<d>(scene_in(d, time_step, end));
-  const Stepper<d> stepper =
-      drive(simulation.solid, simulation.state, simulation.stepper, solution, {Layout::node, true});
-  EXPECT_TRUE(run(simulation.solid, simulation.state, stepper, simulation.control).completed());
+  const ChosenIntegrator<d> integrator =
+      drive(simulation.solid, simulation.state, simulation.integrator, solution, {Layout::node, true});
+  EXPECT_TRUE(run(simulation.solid, simulation.state, integrator, simulation.control).completed());
   double worst = 0;
   const Cloud<d>& cloud = simulation.solid.cloud;
   for (Index i = 0; i < cloud.size(); ++i) {
@@ -72,9 +72,9 @@ TEST(Drive, TractionsCarryTheColumn) {
   scene.body.size = {1, 2};
   scene.body.spacing = 0.125;
   TlsphBody<2> simulation = make_tlsph<2>(scene);
-  const Stepper<2> stepper =
-      drive(simulation.solid, simulation.state, simulation.stepper, solution, {Layout::node, true});
-  ASSERT_TRUE(run(simulation.solid, simulation.state, stepper, simulation.control).completed());
+  const ChosenIntegrator<2> integrator =
+      drive(simulation.solid, simulation.state, simulation.integrator, solution, {Layout::node, true});
+  ASSERT_TRUE(run(simulation.solid, simulation.state, integrator, simulation.control).completed());
   const ErrorNorms error = nodal_norms<2>(
       simulation.solid.cloud, nodal_values<2>(simulation.solid, simulation.state, solution.first_piola),
       [&](const Vec<2>& X) -> PointValue<2> {
@@ -92,8 +92,9 @@ TEST(Drive, ABandOfTwoSupportsMakesAffineMotionExact) {
   scene.body.spacing = 0.1;
   TlsphBody<2> simulation = make_tlsph<2>(scene);
   const DriveOptions options{Layout::node, true, 0.3};
-  const Stepper<2> stepper = drive(simulation.solid, simulation.state, simulation.stepper, solution, options);
-  ASSERT_TRUE(run(simulation.solid, simulation.state, stepper, simulation.control).completed());
+  const ChosenIntegrator<2> integrator =
+      drive(simulation.solid, simulation.state, simulation.integrator, solution, options);
+  ASSERT_TRUE(run(simulation.solid, simulation.state, integrator, simulation.control).completed());
   double worst = 0;
   const Cloud<2>& cloud = simulation.solid.cloud;
   for (Index i = 0; i < cloud.size(); ++i) {

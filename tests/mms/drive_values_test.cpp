@@ -40,7 +40,7 @@ void expect_drive(const char* name, double spacing, Layout layout, bool body_for
   Solid<d> plain = solid_of(cloud), driven = solid_of(cloud);
   State<d> state = make_state(driven);
   state.time = 0.21 * solution.period;
-  drive(driven, state, Stepper<d>{}, solution, {layout, body_force});
+  drive(driven, state, ChosenIntegrator<d>{}, solution, {layout, body_force});
   State<d> other = make_state(plain);
   other.u = state.u, other.v = state.v, other.time = state.time;
   const auto with = forces(driven, state), without = forces(plain, other);

@@ -164,8 +164,8 @@ Drift drift_of(const Scene& scene, long every) {
     }
     return true;
   };
-  REQUIRE(
-      run(simulation.solid, simulation.state, simulation.stepper, simulation.control, observe).completed());
+  REQUIRE(run(simulation.solid, simulation.state, simulation.integrator, simulation.control, observe)
+              .completed());
   return drift;
 }
 

@@ -24,7 +24,7 @@ Ending outcome_of(const std::string& scene_file, std::vector<std::string> overri
   TlsphBody<3> simulation =
       make_tlsph<3>(read_scene(PLUMBLINE_SOURCE_DIR "/verification/scenes/" + scene_file, overrides));
   const double energy = energy_of(simulation.solid, simulation.state).total();
-  const auto result = run(simulation.solid, simulation.state, simulation.stepper, simulation.control);
+  const auto result = run(simulation.solid, simulation.state, simulation.integrator, simulation.control);
   const double change = energy > 0 ? energy_of(simulation.solid, simulation.state).total() / energy - 1 : 0;
   const Ending outcome{result.completed(), change, hourglass_share(simulation.solid, simulation.state)};
   std::string text;

@@ -84,7 +84,7 @@ double energy_change(TlsphBody<d>& simulation, double step) {
   simulation.control.fixed_step = step;
   const double start = energy_of(simulation.solid, simulation.state).total();
   double change = 0;
-  const auto result = run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
+  const auto result = run<d>(simulation.solid, simulation.state, simulation.integrator, simulation.control,
                              [&](const Solid<d>& solid, const State<d>& state) {
                                change =
                                    std::max(change, std::abs(energy_of(solid, state).total() / start - 1));

@@ -53,8 +53,8 @@ Ending follow(const FreeBody& body, const MomentumWeights<d>& weights) {
     set_vector<d>(state.v, solid.bonds.slots.of(i), v);
   }
   const Momentum start = momentum_of(solid, state);
-  const Stepper<d> stepper = stepper_named<d>(body.integrator, solid);
-  Budget<d> budget(solid, state, stepper.weights);
+  const ChosenIntegrator<d> integrator = integrator_named<d>(body.integrator, solid);
+  Budget<d> budget(solid, state, integrator.weights);
   StepControl control;
   control.fixed_step = body.cfl * solid.cloud.spacing / solid.elastic.wave_speed();
   if (body.time > 0)
@@ -62,7 +62,7 @@ Ending follow(const FreeBody& body, const MomentumWeights<d>& weights) {
   else
     control.max_steps = 20;
   const RunResult result =
-      run<d>(solid, state, stepper, control, [&](const Solid<d>& now, const State<d>& s) {
+      run<d>(solid, state, integrator, control, [&](const Solid<d>& now, const State<d>& s) {
         if (s.step > 0) budget.close_step(now, s);
         return true;
       });

@@ -37,7 +37,7 @@ EnergyHistory energy_history(const std::string& file, const std::vector<std::str
   double largest = 0, first = 0, last = 0;
   long in_first = 0, in_last = 0;
   const auto result =
-      run<d>(s.solid, s.state, s.stepper, s.control, [&](const Solid<d>& solid, const State<d>& state) {
+      run<d>(s.solid, s.state, s.integrator, s.control, [&](const Solid<d>& solid, const State<d>& state) {
         const double change = energy_of(solid, state).total() / start - 1;
         largest = std::max(largest, std::abs(change));
         if (state.time < 0.1 * time) first += change, ++in_first;
@@ -91,10 +91,10 @@ TEST_CASE("conservation: JST takes energy, in every step with L^T V L, and is al
                                     std::string("jst.outer=") + outer});
     TlsphBody<3> s = make_tlsph<3>(scene);
     const double start = energy_of(s.solid, s.state).total();
-    Budget<3> budget(s.solid, s.state, s.stepper.weights);
+    Budget<3> budget(s.solid, s.state, s.integrator.weights);
     double most = -1;
     const auto result =
-        run<3>(s.solid, s.state, s.stepper, s.control, [&](const Solid<3>& solid, const State<3>& state) {
+        run<3>(s.solid, s.state, s.integrator, s.control, [&](const Solid<3>& solid, const State<3>& state) {
           if (state.step > 0) {
             budget.close_step(solid, state);
             most = std::max(most, budget.step().part("jst").energy);

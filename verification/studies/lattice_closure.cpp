@@ -127,7 +127,7 @@ velocity = ["4*X + 2*Y - 1*Z", "-1*X + 3*Y + 2*Z", "2*X - 3*Z + 5"]
         face);
   TlsphBody<3> simulation = make_tlsph<3>(parse_scene(scene_text + faces, "affine.toml"));
   REQUIRE(simulation.compatible->closed_form);
-  REQUIRE(run(simulation.solid, simulation.state, simulation.stepper, simulation.control).completed());
+  REQUIRE(run(simulation.solid, simulation.state, simulation.integrator, simulation.control).completed());
   Mat<3> G;
   G << 4, 2, -1, -1, 3, 2, 2, 0, -3;
   double wrong = 0;
@@ -273,7 +273,7 @@ Vec<3> corner_of_column(int cells, const std::string& motion, double poisson = 0
   TlsphBody<3> simulation = make_tlsph<3>(scene);
   REQUIRE(simulation.compatible->closed_form);
   const double energy = energy_of(simulation.solid, simulation.state).total();
-  REQUIRE(run(simulation.solid, simulation.state, simulation.stepper, simulation.control).completed());
+  REQUIRE(run(simulation.solid, simulation.state, simulation.integrator, simulation.control).completed());
   CHECK(std::abs(energy_of(simulation.solid, simulation.state).total() / energy - 1) < 1e-3);
   Index corner = 0;
   const Vec<3> wanted(-0.5, 6, -0.5);

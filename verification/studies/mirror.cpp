@@ -23,7 +23,7 @@ struct Ending {
 
 /// Twenty steps of a block on a wall at x-, deformed and moving along it and towards it.
 template <int d>
-Ending follow(double jitter, const char* momentum, const char* integrator) {
+Ending follow(double jitter, const char* momentum, const char* name) {
   const Cloud<d> cloud = plumb::testing::block<d>(d == 2 ? 10 : 6, Layout::cell, jitter);
   auto options = plumb::testing::options<d>(Scheme{"improved", momentum}, cloud.spacing);
   options.walls = {{0, false}};
@@ -32,12 +32,12 @@ Ending follow(double jitter, const char* momentum, const char* integrator) {
   plumb::testing::deform(solid, state, 0.01);  // not zero at the wall, where it is a kink
   for (Index i = 0; i < cloud.size(); ++i)
     for (int k = 0; k < d; ++k) state.v[k][solid.bonds.slots.of(i)] = std::cos(2 * cloud.X[i][k] + k);
-  const Stepper<d> stepper = stepper_named<d>(integrator, solid);
-  Budget<d> budget(solid, state, stepper.weights);
+  const ChosenIntegrator<d> integrator = integrator_named<d>(name, solid);
+  Budget<d> budget(solid, state, integrator.weights);
   StepControl control;
   control.fixed_step = 0.4 * cloud.spacing / solid.elastic.wave_speed();
   control.max_steps = 20;
-  const auto result = run<d>(solid, state, stepper, control, [&](const Solid<d>& now, const State<d>& s) {
+  const auto result = run<d>(solid, state, integrator, control, [&](const Solid<d>& now, const State<d>& s) {
     if (s.step > 0) budget.close_step(now, s);
     return true;
   });

@@ -20,7 +20,7 @@ TlsphBody<2> simulation_of(const char* file, const std::vector<std::string>& ove
 /// Root mean square error of the axial displacement over that of the exact wave.
 double wave_error(const char* spacing) {
   TlsphBody<2> s = simulation_of("tensile-bar.toml", {std::string("body.spacing=") + spacing});
-  REQUIRE(run<2>(s.solid, s.state, s.stepper, s.control).completed());
+  REQUIRE(run<2>(s.solid, s.state, s.integrator, s.control).completed());
   const double speed = s.solid.elastic.wave_speed(), velocity = 1e-3, length = 2;
   double error = 0, size = 0;
   for (Index i = 0; i < s.solid.cloud.size(); ++i) {
@@ -46,7 +46,7 @@ TEST_CASE("scenes: the oscillating plate has the period of thin-plate theory", "
   const Index tip = s.solid.bonds.slots.of(s.solid.cloud.size() - 1);
   double before = 0, time_before = 0, period = 0;
   const auto result =
-      run<2>(s.solid, s.state, s.stepper, s.control, [&](const Solid<2>&, const State<2>& state) {
+      run<2>(s.solid, s.state, s.integrator, s.control, [&](const Solid<2>&, const State<2>& state) {
         const double u = state.u[1][tip];
         if (before < 0 && u >= 0) period = time_before + (state.time - time_before) * before / (before - u);
         before = u;
@@ -63,7 +63,7 @@ TEST_CASE("scenes: the oscillating plate has the period of thin-plate theory", "
 TEST_CASE("scenes: the bar under its weight hangs as far as its stiffness says", "[scenes][loads]") {
   const auto lower_end = [](const char* spacing) {
     TlsphBody<2> s = simulation_of("hanging-bar.toml", {std::string("body.spacing=") + spacing});
-    REQUIRE(run<2>(s.solid, s.state, s.stepper, s.control).completed());
+    REQUIRE(run<2>(s.solid, s.state, s.integrator, s.control).completed());
     const auto lower = particles_on_face(s.solid.cloud, 1, false, Layout::node);
     double mean = 0;
     for (const Index i : lower)

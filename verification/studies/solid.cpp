@@ -143,11 +143,11 @@ TEST_CASE("solid: linear momentum of a free body is kept to round-off", "[solid]
       Solid<3> solid = rubber_block<3>(8, kind.layout, kind.jitter, scheme);
       State<3> state = make_state(solid);
       plumb::testing::deform(solid, state, 0.05);
-      const Stepper<3> stepper = stepper_named<3>("rk3", solid);
+      const ChosenIntegrator<3> integrator = integrator_named<3>("rk3", solid);
       StepControl control;
       control.cfl = 0.3;
       control.max_steps = 200;
-      const RunResult result = run(solid, state, stepper, control);
+      const RunResult result = run(solid, state, integrator, control);
       INFO(kind.name << " " << momentum);
       REQUIRE(result.completed());
       const Momentum p = momentum_of(solid, state);
@@ -182,7 +182,7 @@ TEST_CASE("solid: the undamped swinging plate keeps its energy with the adjoint 
   const double start = energy_of(solid, state).total();
   const auto worst_drift = [&](double cfl, double periods) {
     State<2> now = state;
-    const Stepper<2> stepper = stepper_named<2>("verlet", solid);
+    const ChosenIntegrator<2> integrator = integrator_named<2>("verlet", solid);
     StepControl control;
     control.fixed_step = cfl * 0.1 / rubber.wave_speed();
     control.end_time = periods * period;
@@ -191,7 +191,7 @@ TEST_CASE("solid: the undamped swinging plate keeps its energy with the adjoint 
       if (s.step % 10 == 0) worst = std::max(worst, std::abs(energy_of(body, s).total() / start - 1));
       return true;
     };
-    REQUIRE(run(solid, now, stepper, control, observe).completed());
+    REQUIRE(run(solid, now, integrator, control, observe).completed());
     return worst;
   };
   const double coarse = worst_drift(0.5, 3), fine = worst_drift(0.25, 3), longer = worst_drift(0.5, 12);

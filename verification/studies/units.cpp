@@ -89,8 +89,8 @@ template <int d>
 void expect_the_same(const Scene& si, const Units& u) {
   TlsphBody<d> reference = make_tlsph<d>(si), other = make_tlsph<d>(scaled(si, u));
   REQUIRE(other.solid.cloud.size() == reference.solid.cloud.size());
-  const auto ended = run<d>(reference.solid, reference.state, reference.stepper, reference.control);
-  const auto ended_too = run<d>(other.solid, other.state, other.stepper, other.control);
+  const auto ended = run<d>(reference.solid, reference.state, reference.integrator, reference.control);
+  const auto ended_too = run<d>(other.solid, other.state, other.integrator, other.control);
   REQUIRE(ended.completed());
   REQUIRE(ended_too.completed());
   CHECK(reference.state.step > 30);

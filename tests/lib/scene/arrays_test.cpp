@@ -69,7 +69,7 @@ TEST_P(Arrays, AreTheOnesThatTheSceneNeedsAndNoMemoryIsKeptBeside) {
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, expected_names(wanted));
   std::size_t held = 0;  // while it runs: the time step has its arrays, too
-  ASSERT_TRUE(run<3>(simulation.solid, simulation.state, simulation.stepper, simulation.control,
+  ASSERT_TRUE(run<3>(simulation.solid, simulation.state, simulation.integrator, simulation.control,
                      [&](const Solid<3>&, const State<3>& state) {
                        if (state.step == 1) held = allocated() - before;
                        return true;

@@ -132,7 +132,7 @@ TEST(DefaultScheme, PaperIsTheSchemeOfThePaper) {
 TEST(HourglassScene, LeavesNoTraceUnlessItIsNamed) {
   const auto without = make_tlsph<2>(parse_scene(scene_with("compatible"), "test.toml"));
   EXPECT_TRUE(without.solid.terms.empty());
-  EXPECT_EQ(without.stepper.workspace->F.components(), 0);
+  EXPECT_EQ(without.integrator.workspace->F.components(), 0);
   for (const char* alpha : {"0", "0.5"}) {
     const auto with = make_tlsph<2>(parse_scene(
         scene_with("compatible", std::string("[hourglass]\nalpha = ") + alpha + "\n"), "test.toml"));

@@ -31,7 +31,7 @@ cfl = 0.02
 /// The scene run to its end.
 TlsphBody<2> after(const std::string& more) {
   TlsphBody<2> s = make_tlsph<2>(parse_scene(square + more, "loads.toml"));
-  EXPECT_TRUE(run<2>(s.solid, s.state, s.stepper, s.control).completed());
+  EXPECT_TRUE(run<2>(s.solid, s.state, s.integrator, s.control).completed());
   return s;
 }
 

@@ -111,7 +111,7 @@ TEST(Warnings, JstAboveItsStepCap) {
   EXPECT_TRUE(make_tlsph<2>(fixed(0.97)).warnings.empty());
   const auto completes = [&](double share) {
     auto simulation = make_tlsph<2>(fixed(share));
-    return run<2>(simulation.solid, simulation.state, simulation.stepper, simulation.control).completed();
+    return run<2>(simulation.solid, simulation.state, simulation.integrator, simulation.control).completed();
   };
   EXPECT_TRUE(completes(0.97));
   EXPECT_FALSE(completes(1.03));

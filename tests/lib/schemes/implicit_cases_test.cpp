@@ -103,7 +103,7 @@ TEST(ImplicitCases, BarUnderItsOwnWeight) {
 TEST(ImplicitCases, RelaxationEndsInTheSameEquilibrium) {
   const auto found = equilibrium_of("hanging-bar.toml", {});
   auto run_to = make_tlsph<2>(read_scene(scenes + "hanging-bar.toml", {}));
-  ASSERT_TRUE(run<2>(run_to.solid, run_to.state, run_to.stepper, run_to.control).completed());
+  ASSERT_TRUE(run<2>(run_to.solid, run_to.state, run_to.integrator, run_to.control).completed());
   const auto u = unknowns_of(found.solid, found.state.u);
   // the slowest motion has decayed by exp(-23) = 1e-10, times its time in units of the decay (critical
   // damping)

@@ -95,12 +95,12 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
   speed.setup_wall_s = setup.wall_s();
   set_in_motion(simulation);
   const Solid<d>& solid = simulation.solid;
-  const Work& work = simulation.stepper.workspace->work;
+  const Work& work = simulation.integrator.workspace->work;
   speed.particles = solid.cloud.size();
   speed.threads = threads;
   speed.bytes_per_particle =
       static_cast<double>(total_bytes(arrays_of(simulation))) / static_cast<double>(speed.particles);
-  speed.bytes_per_update = bytes_per_update(solid, simulation.stepper);
+  speed.bytes_per_update = bytes_per_update(solid, simulation.integrator);
   const double pairs = static_cast<double>(solid.bonds.pairs) / static_cast<double>(speed.particles);
   speed.flops_per_update = pairs * (d + 4.0 * d * d);
   long steps = 2;
@@ -108,7 +108,7 @@ Speed measure_in(const Case& c, long particles, int threads, int repeats, double
     const std::int64_t before = work.particle_evaluations;
     simulation.control.max_steps = simulation.state.step + steps;
     const Clock clock;
-    run(solid, simulation.state, simulation.stepper, simulation.control);
+    run(solid, simulation.state, simulation.integrator, simulation.control);
     const double cpu = clock.cpu_s(), wall = clock.wall_s();
     const auto updates = static_cast<double>(work.particle_evaluations - before);
     if (n == 0) {

@@ -55,7 +55,7 @@ void for_blocks(Solid<3>& solid, auto&& f) {
 void stress_kernel(Body& body) {
   auto& solid = body.simulation.solid;
   for_blocks(solid, [&](const Block& block) {
-    solid.sweeps.stress(solid.bonds, body.simulation.state.u, block, body.simulation.stepper.workspace->P,
+    solid.sweeps.stress(solid.bonds, body.simulation.state.u, block, body.simulation.integrator.workspace->P,
                         nullptr);
   });
 }
@@ -64,7 +64,7 @@ void force_kernel(Body& body) {
   auto& solid = body.simulation.solid;
   for_blocks(solid, [&](const Block& block) {
     BlockForce<3> force(block);
-    solid.sweeps.force(solid.bonds, body.simulation.stepper.workspace->P, block, force);
+    solid.sweeps.force(solid.bonds, body.simulation.integrator.workspace->P, block, force);
     benchmark::DoNotOptimize(force(0, block.begin()));
   });
 }
@@ -72,7 +72,7 @@ void force_kernel(Body& body) {
 void jst_kernel(Body& body) {
   auto& solid = body.simulation.solid;
   const Term<3>& jst = solid.terms.front();
-  const Instant<3> now{body.simulation.state, 0, *body.simulation.stepper.workspace, solid.terms};
+  const Instant<3> now{body.simulation.state, 0, *body.simulation.integrator.workspace, solid.terms};
   for_blocks(solid, [&](const Block& block) { jst.first(solid, block, now); });
   for_blocks(solid, [&](const Block& block) {
     BlockForce<3> force(block);
@@ -143,7 +143,7 @@ std::vector<KernelTime> measure_kernels(long particles, double seconds) {
   long count = 0;
   for (const bool irregular : {false, true}) {
     const auto body = std::make_shared<Body>(block(particles, irregular));
-    body->simulation.stepper.workspace->P = StressWindow(
+    body->simulation.integrator.workspace->P = StressWindow(
         9, body->simulation.solid.blocks(), body->simulation.solid.blocks(), 1);  // all stresses at once
     count = body->cloud.size();
     const auto add = [&](const char* name, const std::function<void(Body&)>& kernel) {

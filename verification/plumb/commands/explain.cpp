@@ -27,10 +27,10 @@ namespace {
 template <int d>
 std::optional<double> seconds_per_step(TlsphBody<d>& simulation, double dt, long most) {
   using Clock = std::chrono::steady_clock;
-  if (!simulation.stepper.step(simulation.solid, simulation.state, dt)) return std::nullopt;
+  if (!simulation.integrator.step(simulation.solid, simulation.state, dt)) return std::nullopt;
   const auto start = Clock::now();
   for (long steps = 1;; ++steps) {
-    if (!simulation.stepper.step(simulation.solid, simulation.state, dt)) return std::nullopt;
+    if (!simulation.integrator.step(simulation.solid, simulation.state, dt)) return std::nullopt;
     time_step(simulation.solid, simulation.state, simulation.control);  // a part of every step of a run
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     if (elapsed > 0.1 || steps >= most) return elapsed / static_cast<double>(steps);
@@ -71,7 +71,7 @@ Explanation explanation(const Scene& scene, const std::string& shows, TlsphBody<
   made.dt = time_step(simulation.solid, simulation.state, simulation.control);
   made.dt_reason = step_reason(scene, simulation, made.dt);
   made.steps = steps_to_end(simulation.control, made.dt);
-  made.evaluations_per_step = simulation.stepper.evaluations_per_step;
+  made.evaluations_per_step = simulation.integrator.evaluations_per_step;
   if (const auto seconds = seconds_per_step(simulation, made.dt, made.steps))
     made.estimated_wall_s = *seconds * static_cast<double>(made.steps);
   made.memory = {bytes, static_cast<double>(bytes) / count, peak_resident_bytes()};

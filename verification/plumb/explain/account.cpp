@@ -210,9 +210,9 @@ std::vector<Statement> account_of(const Scene& scene, const TlsphBody<d>& simula
     if (part) all.push_back({std::string(Part::subject), part->in_words(), std::string(Part::theory)});
   });
   if (scene.load) all.push_back(loads_of(*scene.load));
-  all.push_back(about("integrator", std::string(simulation.stepper.name),
-                      fmt::format("{} evaluation{} a step", simulation.stepper.evaluations_per_step,
-                                  simulation.stepper.evaluations_per_step > 1 ? "s" : "")));
+  all.push_back(about("integrator", std::string(simulation.integrator.name),
+                      fmt::format("{} evaluation{} a step", simulation.integrator.evaluations_per_step,
+                                  simulation.integrator.evaluations_per_step > 1 ? "s" : "")));
   all.push_back({"loops",
                  simulation.solid.cloud.line > 0
                      ? "those of lattices: equal neighbourhoods share their constants"

@@ -69,7 +69,7 @@ struct Stepped {
     constexpr long steps = 8;
     simulation.control.max_steps = simulation.state.step + steps;
     const double start = thread_seconds();
-    run<d>(simulation.solid, simulation.state, simulation.stepper, simulation.control);
+    run<d>(simulation.solid, simulation.state, simulation.integrator, simulation.control);
     return (thread_seconds() - start) / steps;
   }
 

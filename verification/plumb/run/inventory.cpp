@@ -30,7 +30,7 @@ Parts parts_of(const Scene& scene, const TlsphBody<d>& simulation) {
   add(true, "material " + scene.material.model);
   add(true, "bond constants: kernel " + scene.method.kernel + ", correction " + scene.method.pair +
                 ", gradient " + scene.method.gradient + ", momentum " + scene.method.momentum);
-  add(true, "integrator " + std::string(simulation.stepper.name));
+  add(true, "integrator " + std::string(simulation.integrator.name));
   for_each_part(scene.method, [&]<class Part>(const std::optional<Part>&) {
     add(has_term(Part::section), std::string(Part::section));
   });

@@ -208,22 +208,22 @@ void impose(const Solid<d>& solid, const Actions<d>& actions, State<d>& state, b
 }
 
 template <int d>
-Stepper<d> with_prescribed_motion(Stepper<d> stepper, const Actions<d>& actions) {
+ChosenIntegrator<d> with_prescribed_motion(ChosenIntegrator<d> integrator, const Actions<d>& actions) {
   const bool moves = std::any_of(actions.held.begin(), actions.held.end(),
                                  [](const Held<d>& held) { return !held.steady && !held.places.empty(); });
-  if (!moves) return stepper;
-  stepper.step = [inner = stepper.step, actions](const Solid<d>& solid, State<d>& state, double dt) {
+  if (!moves) return integrator;
+  integrator.step = [inner = integrator.step, actions](const Solid<d>& solid, State<d>& state, double dt) {
     const Outcome outcome = inner(solid, state, dt);
     if (outcome) impose(solid, actions, state, false);
     return outcome;
   };
-  return stepper;
+  return integrator;
 }
 
 #define PLUMBLINE_INSTANTIATE(d)                                                \
   template void apply_actions<d>(Solid<d>&, const Actions<d>&);                 \
   template void impose<d>(const Solid<d>&, const Actions<d>&, State<d>&, bool); \
-  template Stepper<d> with_prescribed_motion<d>(Stepper<d>, const Actions<d>&);
+  template ChosenIntegrator<d> with_prescribed_motion<d>(ChosenIntegrator<d>, const Actions<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

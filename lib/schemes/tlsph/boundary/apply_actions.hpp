@@ -17,9 +17,9 @@ void apply_actions(Solid<d>& solid, const Actions<d>& actions);
 template <int d>
 void impose(const Solid<d>& solid, const Actions<d>& actions, State<d>& state, bool all = true);
 
-/// Returns the stepper that after each step puts held components where they are prescribed to be; the same
+/// Returns the integrator that after each step puts held components where they are prescribed to be; the same
 /// one if none of them changes its velocity.
 template <int d>
-Stepper<d> with_prescribed_motion(Stepper<d> stepper, const Actions<d>& actions);
+ChosenIntegrator<d> with_prescribed_motion(ChosenIntegrator<d> integrator, const Actions<d>& actions);
 
 }  // namespace plumb

@@ -109,10 +109,10 @@ struct ExternalWork<d>::Account {
 };
 
 template <int d>
-ExternalWork<d>::ExternalWork(Solid<d>& solid, const Actions<d>& actions, const Stepper<d>& stepper,
-                              const State<d>& state)
+ExternalWork<d>::ExternalWork(Solid<d>& solid, const Actions<d>& actions,
+                              const ChosenIntegrator<d>& integrator, const State<d>& state)
     : time_(state.time) {
-  if (stepper.weights.empty()) return;
+  if (integrator.weights.empty()) return;
   std::vector<Term<d>> terms;
   for (Term<d>& term : solid.terms) {
     const auto account = std::make_shared<Account>();
@@ -123,7 +123,7 @@ ExternalWork<d>::ExternalWork(Solid<d>& solid, const Actions<d>& actions, const 
       continue;
     }
     account->holds = !term.held.empty();
-    account->weights = StepWeights(stepper.weights, solid.blocks());
+    account->weights = StepWeights(integrator.weights, solid.blocks());
     account->sum.assign(account->places.size(), 0.0);
     account->last = account->before = account->sum;
     account->start_step(state);

@@ -30,7 +30,8 @@ class ExternalWork {
  public:
   /// Reads the forces of the terms "loads", "damping" and "supports" of the body. Make it after the budget, if
   /// there is one.
-  ExternalWork(Solid<d>& solid, const Actions<d>& actions, const Stepper<d>& stepper, const State<d>& state);
+  ExternalWork(Solid<d>& solid, const Actions<d>& actions, const ChosenIntegrator<d>& integrator,
+               const State<d>& state);
 
   /// Closes the account of a step; call it after each.
   void close_step(const Solid<d>& solid, const State<d>& state);

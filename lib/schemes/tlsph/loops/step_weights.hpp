@@ -12,7 +12,7 @@ namespace plumb {
 class StepWeights {
  public:
   StepWeights() = default;
-  /// `weights`: Stepper::weights, not empty.
+  /// `weights`: ChosenIntegrator::weights, not empty.
   StepWeights(std::vector<double> weights, Index blocks)
       : weights_(std::move(weights)), evaluations_(static_cast<std::size_t>(blocks), 0) {}
 

@@ -34,7 +34,7 @@ struct BudgetSums {
 template <int d>
 class Budget {
  public:
-  /// Puts probes between the terms of `solid`. `weights`: Stepper::weights. InputError if there are none.
+  /// Puts probes between the terms of `solid`. `weights`: ChosenIntegrator::weights. InputError if there are none.
   Budget(Solid<d>& solid, const State<d>& state, const std::vector<double>& weights);
 
   /// Closes the account of a step; call it after each.

@@ -11,7 +11,7 @@ namespace plumb {
 template <int d>
 class BudgetFile {
  public:
-  /// Adds the budget to the body and starts the file. `weights`: Stepper::weights.
+  /// Adds the budget to the body and starts the file. `weights`: ChosenIntegrator::weights.
   BudgetFile(const std::filesystem::path& file, Solid<d>& solid, const State<d>& state,
              const std::vector<double>& weights);
   /// For the run's observer.

@@ -56,25 +56,25 @@ double next_time_step(const Solid<d>& solid, const State<d>& state, const StepCo
 }
 
 template <int d>
-RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, RunRecord& record) {
+RunResult run(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
+              const StepControl& control, const Observer<d>& observe, RunRecord& record) {
   if (control.energy_bound && !record.initial_energy) record.initial_energy = energy_of(solid, state).total();
   ClosestPairs<d> closest;
-  const Steps steps = steps_of(solid, state, stepper, control, closest);
+  const Steps steps = steps_of(solid, state, integrator, control, closest);
   const auto look = [&] { return !observe || observe(solid, state); };
   return step_to_the_end(steps, control, look, record);
 }
 
 template <int d>
-Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-               ClosestPairs<d>& closest) {
+Steps steps_of(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
+               const StepControl& control, ClosestPairs<d>& closest) {
   return {[&] {
             return Moment{state.time, state.step};
           },
           [&](double time) { state.time = time; },
           [&] { return next_time_step(solid, state, control, closest); },
           [&](double dt) -> std::optional<Failure> {
-            const Outcome outcome = stepper.step(solid, state, dt);
+            const Outcome outcome = integrator.step(solid, state, dt);
             if (outcome) return std::nullopt;
             return failure_of(*outcome.trouble, state.time, state.step);
           },
@@ -87,18 +87,18 @@ template double time_step<3>(const Solid<3>&, const State<3>&, const StepControl
 template double next_time_step<1>(const Solid<1>&, const State<1>&, const StepControl&, ClosestPairs<1>&);
 template double next_time_step<2>(const Solid<2>&, const State<2>&, const StepControl&, ClosestPairs<2>&);
 template double next_time_step<3>(const Solid<3>&, const State<3>&, const StepControl&, ClosestPairs<3>&);
-template RunResult run<1>(const Solid<1>&, State<1>&, const Stepper<1>&, const StepControl&,
+template RunResult run<1>(const Solid<1>&, State<1>&, const ChosenIntegrator<1>&, const StepControl&,
                           const Observer<1>&, RunRecord&);
-template RunResult run<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
+template RunResult run<2>(const Solid<2>&, State<2>&, const ChosenIntegrator<2>&, const StepControl&,
                           const Observer<2>&, RunRecord&);
-template RunResult run<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
+template RunResult run<3>(const Solid<3>&, State<3>&, const ChosenIntegrator<3>&, const StepControl&,
                           const Observer<3>&, RunRecord&);
 
-template Steps steps_of<1>(const Solid<1>&, State<1>&, const Stepper<1>&, const StepControl&,
+template Steps steps_of<1>(const Solid<1>&, State<1>&, const ChosenIntegrator<1>&, const StepControl&,
                            ClosestPairs<1>&);
-template Steps steps_of<2>(const Solid<2>&, State<2>&, const Stepper<2>&, const StepControl&,
+template Steps steps_of<2>(const Solid<2>&, State<2>&, const ChosenIntegrator<2>&, const StepControl&,
                            ClosestPairs<2>&);
-template Steps steps_of<3>(const Solid<3>&, State<3>&, const Stepper<3>&, const StepControl&,
+template Steps steps_of<3>(const Solid<3>&, State<3>&, const ChosenIntegrator<3>&, const StepControl&,
                            ClosestPairs<3>&);
 
 }  // namespace plumb

@@ -24,20 +24,20 @@ double next_time_step(const Solid<d>& solid, const State<d>& state, const StepCo
 
 /// The steps of a total Lagrangian body. All of its arguments must outlive them; run() below and as_simulation() keep them.
 template <int d>
-Steps steps_of(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-               ClosestPairs<d>& closest);
+Steps steps_of(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
+               const StepControl& control, ClosestPairs<d>& closest);
 
 /// Steps until the end. On failure the state is the last good one.
 template <int d>
-RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe, RunRecord& record);
+RunResult run(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
+              const StepControl& control, const Observer<d>& observe, RunRecord& record);
 
 /// The same for a run that begins here.
 template <int d>
-RunResult run(const Solid<d>& solid, State<d>& state, const Stepper<d>& stepper, const StepControl& control,
-              const Observer<d>& observe = {}) {
+RunResult run(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
+              const StepControl& control, const Observer<d>& observe = {}) {
   RunRecord none;
-  return run(solid, state, stepper, control, observe, none);
+  return run(solid, state, integrator, control, observe, none);
 }
 
 }  // namespace plumb

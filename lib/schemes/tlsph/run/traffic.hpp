@@ -7,6 +7,6 @@ namespace plumb {
 /// with it) reads and writes, by the model THEORY (10.8): every array once for each pass over it, tables only
 /// where each particle has rows of its own. The same on every machine.
 template <int d>
-double bytes_per_update(const Solid<d>& solid, const Stepper<d>& stepper);
+double bytes_per_update(const Solid<d>& solid, const ChosenIntegrator<d>& integrator);
 
 }  // namespace plumb

@@ -14,16 +14,16 @@ void commit_history(const Solid<d>& solid, const State<d>& state) {
   for (Index b = 0; b < blocks; ++b) history->commit(solid.bonds, state.u, solid.block(b));
 }
 
-/// The same stepper, which commits the history of the body after each step that has been made.
+/// The same integrator, which commits the history of the body after each step that has been made.
 template <int d>
-Stepper<d> with_history(Stepper<d> stepper, const Solid<d>& solid) {
-  if (!solid.sweeps.history) return stepper;
-  stepper.step = [inner = stepper.step](const Solid<d>& body, State<d>& state, double dt) {
+ChosenIntegrator<d> with_history(ChosenIntegrator<d> integrator, const Solid<d>& solid) {
+  if (!solid.sweeps.history) return integrator;
+  integrator.step = [inner = integrator.step](const Solid<d>& body, State<d>& state, double dt) {
     const Outcome outcome = inner(body, state, dt);
     if (outcome) commit_history(body, state);
     return outcome;
   };
-  return stepper;
+  return integrator;
 }
 
 }  // namespace plumb

@@ -13,16 +13,16 @@ namespace plumb {
 /// Advances a body by dt. `step` names the particle where J is not positive or not a number, if any;
 /// the state is then the one before the step. `order` is the order in dt that the scheme claims; a test
 /// measures it. A new integrator is one file in integrators/. One that carries something from step to step
-/// beside the state has `carried` and `carry` as in Stepper, or a continued run differs.
+/// beside the state has `carried` and `carry` as in ChosenIntegrator, or a continued run differs.
 template <class S, int d>
 concept Integrator = std::constructible_from < S,
         const Solid<d>
-& > &&requires(S& stepper, const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
+& > &&requires(S& integrator, const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double dt) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::order } -> std::convertible_to<int>;
   { S::evaluations_per_step } -> std::convertible_to<int>;
-  { stepper.step(solid, workspace, state, dt) } -> std::same_as<Outcome>;
-  { stepper.bytes() } -> std::convertible_to<std::size_t>;
+  { integrator.step(solid, workspace, state, dt) } -> std::same_as<Outcome>;
+  { integrator.bytes() } -> std::convertible_to<std::size_t>;
   { S::vectors_moved } -> std::convertible_to<int>;
 };
 
@@ -45,7 +45,7 @@ inline StabilityLimits stability_limits(std::string_view integrator) {
 
 /// An integrator chosen at run time.
 template <int d>
-struct Stepper {
+struct ChosenIntegrator {
   std::string_view name;
   int order;
   int evaluations_per_step;
@@ -64,30 +64,31 @@ struct Stepper {
 };
 
 template <int d>
-Stepper<d> stepper_named(std::string_view name, const Solid<d>& solid) {
-  Stepper<d> stepper{};
-  stepper.workspace = std::make_shared<Workspace<d>>();
+ChosenIntegrator<d> integrator_named(std::string_view name, const Solid<d>& solid) {
+  ChosenIntegrator<d> integrator{};
+  integrator.workspace = std::make_shared<Workspace<d>>();
   const bool known = with_named(IntegratorCatalogue{}, name, [&]<class T>(Type<T>) {
-    using S = typename T::template Stepper<d>;
+    using S = typename T::template Integrator<d>;
     static_assert(Integrator<S, d>);
     const auto s = std::make_shared<S>(solid);
-    stepper.name = S::name;
-    stepper.order = S::order;
-    stepper.evaluations_per_step = S::evaluations_per_step;
-    stepper.bytes = s->bytes();
-    stepper.step = [s, workspace = stepper.workspace](const Solid<d>& body, State<d>& state, double dt) {
+    integrator.name = S::name;
+    integrator.order = S::order;
+    integrator.evaluations_per_step = S::evaluations_per_step;
+    integrator.bytes = s->bytes();
+    integrator.step = [s, workspace = integrator.workspace](const Solid<d>& body, State<d>& state,
+                                                            double dt) {
       return s->step(body, *workspace, state, dt);
     };
     if constexpr (requires { s->carried(); }) {
-      stepper.carried = [s] { return s->carried(); };
-      stepper.carry = [s](const Field& field) { s->carry(field); };
+      integrator.carried = [s] { return s->carried(); };
+      integrator.carry = [s](const Field& field) { s->carry(field); };
     }
-    stepper.vectors_moved = S::vectors_moved;
+    integrator.vectors_moved = S::vectors_moved;
     if constexpr (requires { S::weights; })
-      stepper.weights.assign(std::begin(S::weights), std::end(S::weights));
+      integrator.weights.assign(std::begin(S::weights), std::end(S::weights));
   });
   if (!known) throw unknown_name("integrator", name, names_of(IntegratorCatalogue{}));
-  return stepper;
+  return integrator;
 }
 
 }  // namespace plumb

@@ -19,7 +19,7 @@ struct SspRk3 {
   static constexpr double imaginary_axis = std::numbers::sqrt3;
 
   template <int d>
-  class Stepper {
+  class Integrator {
    public:
     static constexpr std::string_view name = SspRk3::name;
     static constexpr int order = 3;
@@ -28,7 +28,7 @@ struct SspRk3 {
         6;  // u, v, u0, v0 read, u, v written; in the first stage u0, v0 written
     static constexpr double weights[] = {1.0 / 6, 1.0 / 6, 2.0 / 3};
 
-    explicit Stepper(const Solid<d>& solid)
+    explicit Integrator(const Solid<d>& solid)
         : u0_(solid.make_field(d)), v0_(solid.make_field(d)), kept_(solid.blocks()) {}
     std::size_t bytes() const { return u0_.bytes() + v0_.bytes() + kept_.size(); }
 

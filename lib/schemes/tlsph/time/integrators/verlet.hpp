@@ -18,7 +18,7 @@ struct Verlet {
   static constexpr double imaginary_axis = 2;
 
   template <int d>
-  class Stepper {
+  class Integrator {
    public:
     static constexpr std::string_view name = Verlet::name;
     static constexpr int order = 2;
@@ -27,7 +27,7 @@ struct Verlet {
         8;  // kick and drift: u, v, a read, u, v written; then v read, v, a written
     static constexpr double weights[] = {0.5};  // of the evaluation before the step, too
 
-    explicit Stepper(const Solid<d>& solid)
+    explicit Integrator(const Solid<d>& solid)
         : a_(solid.make_field(d)), before_(solid.make_field(d)), kicked_(solid.blocks()) {}
     std::size_t bytes() const { return a_.bytes() + before_.bytes() + kicked_.size(); }
     /// The acceleration [m/s^2] that the last step ended with. With terms that depend on the velocity it

@@ -68,7 +68,7 @@ TEST_P(Loads, AFreeBodyFallsAsGalileiSays) {
     StepControl control;
     control.cfl = 0.4;
     control.end_time = 0.02;
-    ASSERT_TRUE(run(solid, state, stepper_named<2>(GetParam(), solid), control).completed());
+    ASSERT_TRUE(run(solid, state, integrator_named<2>(GetParam(), solid), control).completed());
     for (Index i = 0; i < solid.cloud.size(); ++i) {
       const Index slot = solid.bonds.slots.of(i);
       // nothing strains the body, so only the rounding of some 50 steps is left
@@ -99,12 +99,12 @@ TEST_P(Loads, TheBudgetOfALoadedAndHeldBodyClosesToRoundOff) {
   apply_actions(solid, actions);
   State<2> state = make_state(solid);
   impose(solid, actions, state);
-  const Stepper<2> stepper = stepper_named<2>(GetParam(), solid);
-  Budget<2> budget(solid, state, stepper.weights);
+  const ChosenIntegrator<2> integrator = integrator_named<2>(GetParam(), solid);
+  Budget<2> budget(solid, state, integrator.weights);
   StepControl control;
   control.cfl = 0.3;
   control.max_steps = 40;
-  ASSERT_TRUE(run<2>(solid, state, stepper, control, [&](const Solid<2>& body, const State<2>& now) {
+  ASSERT_TRUE(run<2>(solid, state, integrator, control, [&](const Solid<2>& body, const State<2>& now) {
                 if (now.step > 0) budget.close_step(body, now);
                 return true;
               }).completed());
@@ -191,8 +191,8 @@ TEST(PrescribedMotion, IsExactAfterEveryStepAndKeepsTheOrder) {
     State<2> state = make_state(solid);
     impose(solid, actions, state);
     apply_actions(solid, actions);
-    const Stepper<2> stepper = with_prescribed_motion(stepper_named<2>("rk3", solid), actions);
-    for (int n = 0; n < steps; ++n) EXPECT_TRUE(stepper.step(solid, state, 2e-3 / steps));
+    const ChosenIntegrator<2> integrator = with_prescribed_motion(integrator_named<2>("rk3", solid), actions);
+    for (int n = 0; n < steps; ++n) EXPECT_TRUE(integrator.step(solid, state, 2e-3 / steps));
     for (const auto& place : held.places) {
       const Index slot = solid.bonds.slots.of(place.particle);
       const HeldMotion exact = held.motion(place.at, place.component, state.time);

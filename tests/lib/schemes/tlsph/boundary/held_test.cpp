@@ -96,7 +96,7 @@ TEST(Held, StepsMoveHeldParticlesAtTheirVelocityOnly) {
     auto s = make_tlsph<2>(
         parse_scene(scene_with(2, "node", boundary("x-", "roller") + boundary("y-", "clamped") + moves),
                     "t.toml", {"method.integrator=" + integrator}));
-    for (int n = 0; n < 3; ++n) ASSERT_TRUE(s.stepper.step(s.solid, s.state, 1e-4));
+    for (int n = 0; n < 3; ++n) ASSERT_TRUE(s.integrator.step(s.solid, s.state, 1e-4));
     const auto found = held(s);
     for (Index i = 0; i < s.solid.cloud.size(); ++i)
       for (int k = 0; k < 2; ++k) {

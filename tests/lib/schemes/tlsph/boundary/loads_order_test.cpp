@@ -56,14 +56,14 @@ Actions<2> varying(const Cloud<2>& cloud) {
 }
 
 /// Displacements of all particles at the end.
-std::vector<double> after(const std::string& integrator, int steps) {
+std::vector<double> after(const std::string& name, int steps) {
   Solid<2> solid = rubber_block<2>(4, Layout::node, 0);
   const Actions<2> actions = varying(solid.cloud);
   State<2> state = make_state(solid);
   impose(solid, actions, state);
   apply_actions(solid, actions);
-  const Stepper<2> stepper = with_prescribed_motion(stepper_named<2>(integrator, solid), actions);
-  for (int n = 0; n < steps; ++n) EXPECT_TRUE(stepper.step(solid, state, end / steps));
+  const ChosenIntegrator<2> integrator = with_prescribed_motion(integrator_named<2>(name, solid), actions);
+  for (int n = 0; n < steps; ++n) EXPECT_TRUE(integrator.step(solid, state, end / steps));
   std::vector<double> u;
   for (Index i = 0; i < solid.cloud.size(); ++i)
     for (const double component : vector_at<2>(state.u, solid.bonds.slots.of(i))) u.push_back(component);
@@ -72,19 +72,19 @@ std::vector<double> after(const std::string& integrator, int steps) {
 
 TEST(OrderInTime, IsKeptWithLoadsAndMotionThatVary) {
   const std::vector<double> reference = after("rk3", 3200);
-  for (const auto& [integrator, order] : {std::pair("rk3", 3.0), std::pair("verlet", 2.0)}) {
+  for (const auto& [name, order] : {std::pair("rk3", 3.0), std::pair("verlet", 2.0)}) {
     std::vector<Level> levels;
     for (const int steps : {50, 100, 200, 400}) {
-      const std::vector<double> u = after(integrator, steps);
+      const std::vector<double> u = after(name, steps);
       double square = 0;
       for (std::size_t k = 0; k < u.size(); ++k) square += std::pow(u[k] - reference[k], 2);
       levels.push_back({end / steps, std::sqrt(square)});
     }
     const OrderFit fit = fit_order(levels);
-    RecordProperty(integrator, std::to_string(fit.order));
+    RecordProperty(name, std::to_string(fit.order));
     EXPECT_EQ(judge(fit, order), Verdict::pass)
-        << integrator << ": " << fit.order << " [" << fit.lower << ", " << fit.upper << "]";
-    EXPECT_GT(fit.lower, order - 0.5) << integrator;
+        << name << ": " << fit.order << " [" << fit.lower << ", " << fit.upper << "]";
+    EXPECT_GT(fit.lower, order - 0.5) << name;
   }
 }
 

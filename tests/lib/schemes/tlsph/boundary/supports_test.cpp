@@ -36,7 +36,7 @@ TEST(Supports, HeldComponentsMoveAsPrescribedAndTheOthersAreFree) {
     StepControl control;
     control.cfl = 0.4;
     control.max_steps = 60;
-    ASSERT_TRUE(run(solid, state, stepper_named<2>(integrator, solid), control).completed());
+    ASSERT_TRUE(run(solid, state, integrator_named<2>(integrator, solid), control).completed());
     double sideways = 0;
     for (const Index i : left) {
       EXPECT_EQ(state.u[0][solid.bonds.slots.of(i)], 0.0);

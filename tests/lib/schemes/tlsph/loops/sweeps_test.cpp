@@ -150,8 +150,8 @@ TEST(Sweeps, SameBitsForAnyNumberOfThreads) {
     Solid<3> solid = rubber_block<3>(20, Layout::cell, jitter);  // 27 blocks: enough for threads
     State<3> state = make_state(solid);
     deform(solid, state, 0.05);
-    const Stepper<3> stepper = stepper_named<3>("rk3", solid);
-    for (int step = 0; step < 10; ++step) EXPECT_TRUE(stepper.step(solid, state, 1e-5));
+    const ChosenIntegrator<3> integrator = integrator_named<3>("rk3", solid);
+    for (int step = 0; step < 10; ++step) EXPECT_TRUE(integrator.step(solid, state, 1e-5));
     std::vector<double> values;
     for (Index i = 0; i < solid.cloud.size(); ++i)
       for (int k = 0; k < 3; ++k) {

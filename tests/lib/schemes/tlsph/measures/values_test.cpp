@@ -151,18 +151,18 @@ Term<d> push_term(const Solid<d>& solid) {
 /// What a constant push does in a step is known beforehand; what the internal force does follows from the
 /// change of the state.
 template <int d>
-void expect_budget(const std::string& integrator) {
+void expect_budget(const std::string& name) {
   Body<d> body(0.2);
   add_term(body.solid, push_term(body.solid));
-  const Stepper<d> stepper = stepper_named<d>(integrator, body.solid);
-  Budget<d> budget(body.solid, body.state, stepper.weights);
+  const ChosenIntegrator<d> integrator = integrator_named<d>(name, body.solid);
+  Budget<d> budget(body.solid, body.state, integrator.weights);
   const double dt = 1e-5;
   BudgetPart pushed, total_pushed;
   Vec<3> carried = Vec<3>::Zero();
   for (int n = 0; n < 3; ++n) {
     const State<d> before = body.state;
     const Energy was = energy_of(body.solid, before);
-    ASSERT_TRUE(stepper.step(body.solid, body.state, dt));
+    ASSERT_TRUE(integrator.step(body.solid, body.state, dt));
     budget.close_step(body.solid, body.state);
     pushed = {};
     carried.setZero();
@@ -182,9 +182,9 @@ void expect_budget(const std::string& integrator) {
       scale += body.m[i] * v1.norm();
     }
     const BudgetPart& part = budget.step().part("push");
-    EXPECT_LT((part.linear - pushed.linear).norm(), 1e-12 * scale) << integrator;
-    EXPECT_LT((part.angular - pushed.angular).norm(), 1e-12 * scale) << integrator;
-    EXPECT_NEAR(part.energy, pushed.energy, 1e-12 * scale) << integrator;
+    EXPECT_LT((part.linear - pushed.linear).norm(), 1e-12 * scale) << name;
+    EXPECT_LT((part.angular - pushed.angular).norm(), 1e-12 * scale) << name;
+    EXPECT_NEAR(part.energy, pushed.energy, 1e-12 * scale) << name;
     EXPECT_LT((budget.step().part("integrator").angular - carried).norm(), 1e-12 * scale);
     EXPECT_LT(budget.step().part("integrator").linear.norm(), 1e-12 * scale);
     EXPECT_LT((budget.step().part("internal force").linear - (change - pushed.linear)).norm(), 1e-12 * scale);
@@ -193,8 +193,8 @@ void expect_budget(const std::string& integrator) {
     // the adjoint force makes no energy: what neither the push nor the state explains is the integrator's
     const Energy is = energy_of(body.solid, body.state);
     const double made = is.total() - was.total() - pushed.energy;
-    EXPECT_NEAR(budget.step().part("internal force").energy, 0, 1e-10 * is.kinetic) << integrator;
-    EXPECT_NEAR(budget.step().part("integrator").energy, made, 1e-10 * is.kinetic) << integrator;
+    EXPECT_NEAR(budget.step().part("internal force").energy, 0, 1e-10 * is.kinetic) << name;
+    EXPECT_NEAR(budget.step().part("integrator").energy, made, 1e-10 * is.kinetic) << name;
     total_pushed.linear += pushed.linear;
     total_pushed.angular += pushed.angular;
     total_pushed.energy += pushed.energy;
@@ -207,9 +207,9 @@ void expect_budget(const std::string& integrator) {
 }
 
 TEST(BudgetValues, OfAConstantPushAreKnownBeforehand) {
-  for (const std::string integrator : {"verlet", "rk3"}) {
-    expect_budget<2>(integrator);
-    expect_budget<3>(integrator);
+  for (const std::string name : {"verlet", "rk3"}) {
+    expect_budget<2>(name);
+    expect_budget<3>(name);
   }
 }
 

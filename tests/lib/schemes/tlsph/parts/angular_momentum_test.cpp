@@ -57,16 +57,16 @@ struct Drift {
 };
 
 template <int d>
-Drift drift(const char* integrator, Points points) {
+Drift drift(const char* name, Points points) {
   Solid<d> solid = spinning_block<d>(points);
   State<d> state = spinning_state(solid);
-  const Stepper<d> stepper = stepper_named<d>(integrator, solid);
-  Budget<d> budget(solid, state, stepper.weights);
+  const ChosenIntegrator<d> integrator = integrator_named<d>(name, solid);
+  Budget<d> budget(solid, state, integrator.weights);
   StepControl control;
   control.fixed_step = 0.4 * solid.cloud.spacing / solid.elastic.wave_speed();
   control.max_steps = 60;
   const Momentum start = momentum_of(solid, state);
-  const auto result = run<d>(solid, state, stepper, control, [&](const Solid<d>& now, const State<d>& s) {
+  const auto result = run<d>(solid, state, integrator, control, [&](const Solid<d>& now, const State<d>& s) {
     if (s.step > 0) budget.close_step(now, s);
     return true;
   });

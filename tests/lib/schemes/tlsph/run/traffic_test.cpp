@@ -37,7 +37,7 @@ void expect_counts() {
     const auto bytes = [&](const std::string& behind, std::vector<std::string> set = {}) {
       set.push_back(jitter);
       const TlsphBody<d> s = make_tlsph<d>(parse_scene(plate(d, behind), "plate.toml", set));
-      return bytes_per_update<d>(s.solid, s.stepper);
+      return bytes_per_update<d>(s.solid, s.integrator);
     };
     const TlsphBody<d> s = make_tlsph<d>(parse_scene(plate(d), "plate.toml", {jitter}));
     SCOPED_TRACE(std::to_string(d) + "D, " + jitter);

@@ -1,4 +1,4 @@
-// The bounds at which a run ends, from both sides, with a stepper that does nothing but what the test wants;
+// The bounds at which a run ends, from both sides, with a integrator that does nothing but what the test wants;
 // what a run reports.
 #include <gtest/gtest.h>
 
@@ -10,15 +10,15 @@ namespace plumb::testing {
 namespace {
 
 /// Advances time and then changes the state as told.
-Stepper<2> stepper_that(const std::function<void(State<2>&)>& change) {
-  Stepper<2> stepper{};
-  stepper.step = [change](const Solid<2>&, State<2>& state, double dt) -> Outcome {
+ChosenIntegrator<2> integrator_that(const std::function<void(State<2>&)>& change) {
+  ChosenIntegrator<2> integrator{};
+  integrator.step = [change](const Solid<2>&, State<2>& state, double dt) -> Outcome {
     state.time += dt;
     ++state.step;
     change(state);
     return {};
   };
-  return stepper;
+  return integrator;
 }
 
 struct Body {
@@ -40,11 +40,11 @@ std::optional<Failure> with_energy_ratio(double bound, double ratio, int at_step
   Body body;
   body.set_speed(1);
   body.control.energy_bound = bound;
-  const auto stepper = stepper_that([&](State<2>& state) {
+  const auto integrator = integrator_that([&](State<2>& state) {
     if (state.step == at_step) body.set_speed(std::sqrt(ratio));
     if (state.step == at_step + 1) body.set_speed(1);
   });
-  return run(body.solid, body.state, stepper, body.control).failure;
+  return run(body.solid, body.state, integrator, body.control).failure;
 }
 
 TEST(RunBounds, EnergyMayGrowByTheBoundAndNoMore) {
@@ -71,7 +71,7 @@ TEST(RunBounds, ABodyAtRestMayHaveTheRoundOffOfItsEnergy) {
     for (const double V : body.solid.cloud.V) mass += 1100 * V;
     const double speed = std::sqrt(2 * share * 2 * energy_round_off(body.solid) / mass);
     const auto result =
-        run(body.solid, body.state, stepper_that([&](State<2>&) { body.set_speed(speed); }), body.control);
+        run(body.solid, body.state, integrator_that([&](State<2>&) { body.set_speed(speed); }), body.control);
     EXPECT_EQ(result.failure.has_value(), share > 1) << share;
   }
 }
@@ -84,8 +84,8 @@ TEST(RunBounds, InitialEnergyIsThatOfTheHistoryIfThereIsOne) {
     body.control.energy_bound = 1;
     RunRecord history;
     history.initial_energy = initial * energy_of(body.solid, body.state).total();
-    const auto stepper = stepper_that([&](State<2>&) { body.set_speed(std::sqrt(2.5)); });
-    const auto result = run<2>(body.solid, body.state, stepper, body.control, {}, history);
+    const auto integrator = integrator_that([&](State<2>&) { body.set_speed(std::sqrt(2.5)); });
+    const auto result = run<2>(body.solid, body.state, integrator, body.control, {}, history);
     EXPECT_EQ(result.failure.has_value(), initial == 1.0);
   }
 }
@@ -106,7 +106,7 @@ TEST(RunBounds, HourglassShareMayReachItsBoundAndNoMore) {
     body.state = make_state(body.solid);
     body.control.hourglass_bound = bound;
     const auto result =
-        run(body.solid, body.state, stepper_that([&](State<2>& s) { wobble(s, 0.05); }), body.control);
+        run(body.solid, body.state, integrator_that([&](State<2>& s) { wobble(s, 0.05); }), body.control);
     ASSERT_EQ(result.failure.has_value(), bound < share);
     if (!result.failure) continue;
     EXPECT_EQ(result.failure->cause, Cause::hourglass);
@@ -123,7 +123,7 @@ TEST(RunBounds, ATimeStepThatCollapsesEndsTheRun) {
     const Index one = body.solid.bonds.slots.of(0), next = body.solid.bonds.slots.of(1);
     const Vec<2> apart = body.solid.cloud.X[1] - body.solid.cloud.X[0];
     const auto result =
-        run(body.solid, body.state, stepper_that([&](State<2>& state) {
+        run(body.solid, body.state, integrator_that([&](State<2>& state) {
               if (state.step == 3)
                 set_vector<2>(state.u, one, (1 - share) * apart + vector_at<2>(state.u, next));
             }),
@@ -142,7 +142,7 @@ TEST(RunBounds, StepsAreCountedAndTheLastIsCutToTheEnd) {
   body.control.end_time = 3.5e-4;
   std::vector<double> times;
   const auto result =
-      run<2>(body.solid, body.state, stepper_that([](State<2>&) {}), body.control,
+      run<2>(body.solid, body.state, integrator_that([](State<2>&) {}), body.control,
              [&](const Solid<2>&, const State<2>& s) { return times.push_back(s.time), true; });
   ASSERT_EQ(times.size(), 5u);  // the start and four steps
   EXPECT_EQ(times.front(), 0);
@@ -165,10 +165,11 @@ TEST(RunBounds, StatisticsKeepFirstLeastMostAndLast) {
 TEST(RunBounds, MaxStepsAndObserversEndARun) {
   Body body;
   body.control.max_steps = 7;
-  EXPECT_TRUE(run(body.solid, body.state, stepper_that([](State<2>&) {}), body.control).completed());
+  EXPECT_TRUE(run(body.solid, body.state, integrator_that([](State<2>&) {}), body.control).completed());
   EXPECT_EQ(body.state.step, 7);
-  const auto result = run<2>(body.solid, body.state = make_state(body.solid), stepper_that([](State<2>&) {}),
-                             body.control, [](const Solid<2>&, const State<2>& s) { return s.step < 3; });
+  const auto result =
+      run<2>(body.solid, body.state = make_state(body.solid), integrator_that([](State<2>&) {}), body.control,
+             [](const Solid<2>&, const State<2>& s) { return s.step < 3; });
   EXPECT_TRUE(result.stopped);
   EXPECT_FALSE(result.completed());
   EXPECT_EQ(body.state.step, 3);

@@ -78,35 +78,35 @@ TEST(Run, MeetsTheEndTimeAndCountsWork) {
   Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
   State<2> state = make_state(solid);
   deform(solid, state, 0.01);
-  const Stepper<2> stepper = stepper_named<2>("rk3", solid);
+  const ChosenIntegrator<2> integrator = integrator_named<2>("rk3", solid);
   StepControl control;
   control.cfl = 0.3;
   control.fixed_step = control.cfl * crossing_time(solid, state, WaveSpeed::linear);
   control.end_time = 3.3 * *control.fixed_step;
-  const RunResult result = run(solid, state, stepper, control);
+  const RunResult result = run(solid, state, integrator, control);
   EXPECT_TRUE(result.completed());
   EXPECT_DOUBLE_EQ(state.time, *control.end_time);
   EXPECT_EQ(state.step, 4);
-  EXPECT_EQ(stepper.workspace->work.particle_evaluations, 4 * 3 * solid.cloud.size());
-  EXPECT_EQ(stepper.workspace->work.pair_evaluations, 4 * 3 * solid.bonds.pairs);
+  EXPECT_EQ(integrator.workspace->work.particle_evaluations, 4 * 3 * solid.cloud.size());
+  EXPECT_EQ(integrator.workspace->work.pair_evaluations, 4 * 3 * solid.bonds.pairs);
 }
 
 /// States fall on every multiple of the interval, to the last bit, and no cut step is taken for one that
 /// stability asks for.
 TEST(Run, MeetsEveryMultipleOfTheInterval) {
-  for (const std::string integrator : {"rk3", "verlet"})
+  for (const std::string name : {"rk3", "verlet"})
     for (const double share : {0.3, 0.25, 1.0, 2.5}) {  // of the interval
       Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
       State<2> state = make_state(solid);
       deform(solid, state, 0.01);
-      const Stepper<2> stepper = stepper_named<2>(integrator, solid);
+      const ChosenIntegrator<2> integrator = integrator_named<2>(name, solid);
       StepControl control;
       control.fixed_step = 0.3 * crossing_time(solid, state, WaveSpeed::linear);
       control.interval = *control.fixed_step / share;
       control.end_time = 5.5 * *control.interval;
       std::vector<double> times;
       const RunResult result =
-          run<2>(solid, state, stepper, control, [&](const Solid<2>&, const State<2>& now) {
+          run<2>(solid, state, integrator, control, [&](const Solid<2>&, const State<2>& now) {
             times.push_back(now.time);
             return true;
           });
@@ -128,45 +128,45 @@ TEST(Run, AnExplosionIsStoppedAndTheLastGoodStateKept) {
   Solid<2> solid = rubber_block<2>(8, Layout::cell, 0);
   State<2> state = make_state(solid);
   deform(solid, state, 0.05);
-  const Stepper<2> stepper = stepper_named<2>("rk3", solid);
+  const ChosenIntegrator<2> integrator = integrator_named<2>("rk3", solid);
   StepControl control;
   control.fixed_step = 20 * crossing_time(solid, state, WaveSpeed::linear);  // far beyond any stability limit
   control.max_steps = 1000;
-  const RunResult result = run(solid, state, stepper, control);
+  const RunResult result = run(solid, state, integrator, control);
   ASSERT_TRUE(result.failure.has_value());
   EXPECT_TRUE(result.failure->cause == Cause::inverted || result.failure->cause == Cause::non_finite);
   for (Index i = 0; i < solid.cloud.size(); ++i)
     EXPECT_TRUE(vector_at<2>(state.u, solid.bonds.slots.of(i)).allFinite());
-  EXPECT_TRUE(evaluate(solid, *stepper.workspace, state, state.time,
+  EXPECT_TRUE(evaluate(solid, *integrator.workspace, state, state.time,
                        [](const Block&, BlockForce<2>&) {}));  // the kept state is sound
 }
 
 /// Blocks far from the trouble have been updated when it is found, others have not.
 TEST(Step, ThatFailsLeavesTheStateBeforeIt) {
-  for (const std::string integrator : {"rk3", "verlet"})
+  for (const std::string name : {"rk3", "verlet"})
     for (const bool at_once : {true, false}) {                // in the first evaluation, or in a later one
       Solid<3> solid = rubber_block<3>(20, Layout::cell, 0);  // 27 blocks
       State<3> state = make_state(solid);
       deform(solid, state, 0.02);
-      const Stepper<3> stepper = stepper_named<3>(integrator, solid);
+      const ChosenIntegrator<3> integrator = integrator_named<3>(name, solid);
       const double spacing = solid.cloud.spacing, dt = 1e-7;
       const Index last = solid.bonds.slots.of(solid.cloud.size() - 1);
-      if (integrator == "verlet") {
-        ASSERT_TRUE(stepper.step(solid, state, dt));
+      if (name == "verlet") {
+        ASSERT_TRUE(integrator.step(solid, state, dt));
       }
       if (at_once)
         state.u[0][last] -= 3 * spacing;  // through its neighbours
       else
         state.v[0][last] = -3 * spacing / dt;
       const State<3> before = state;
-      ASSERT_FALSE(stepper.step(solid, state, dt));
+      ASSERT_FALSE(integrator.step(solid, state, dt));
       EXPECT_EQ(state.step, before.step);
       for (Index i = 0; i < solid.bonds.slots.count(); ++i) {
         // Verlet goes back by subtracting what it added: rounding of positions of 1 m and of velocities
-        const double u_error = integrator == "rk3" ? 0 : 1e-15;
-        const double v_error = integrator == "rk3" ? 0 : 1e-15 * (1 + std::abs(before.v[0][i])) + 1e-12;
-        ASSERT_NEAR(state.u[0][i], before.u[0][i], u_error) << integrator << " slot " << i;
-        ASSERT_NEAR(state.v[0][i], before.v[0][i], v_error) << integrator << " slot " << i;
+        const double u_error = name == "rk3" ? 0 : 1e-15;
+        const double v_error = name == "rk3" ? 0 : 1e-15 * (1 + std::abs(before.v[0][i])) + 1e-12;
+        ASSERT_NEAR(state.u[0][i], before.u[0][i], u_error) << name << " slot " << i;
+        ASSERT_NEAR(state.v[0][i], before.v[0][i], v_error) << name << " slot " << i;
       }
     }
 }

@@ -148,7 +148,7 @@ void expect_rk3() {
   Motion<d> motion;
   const double dt = 1e-5;
   auto u = motion.read(motion.state.u), v = motion.read(motion.state.v);
-  auto stepper = stepper_named<d>("rk3", motion.solid);
+  auto integrator = integrator_named<d>("rk3", motion.solid);
   for (int n = 0; n < 2; ++n) {
     const double t = n * dt;
     const auto a0 = motion.acceleration(u, v, t);
@@ -159,7 +159,7 @@ void expect_rk3() {
     const auto a2 = motion.acceleration(u2, v2, t + dt / 2);
     u = sum<d>(1.0 / 3, u, 2.0 / 3, sum<d>(1, u2, dt, v2));
     v = sum<d>(1.0 / 3, v, 2.0 / 3, sum<d>(1, v2, dt, a2));
-    ASSERT_TRUE(stepper.step(motion.solid, motion.state, dt));
+    ASSERT_TRUE(integrator.step(motion.solid, motion.state, dt));
     expect_equal<d>(motion.read(motion.state.u), u, 1e-15);  // displacements of some hundredths
     expect_equal<d>(motion.read(motion.state.v), v, 1e-13);  // velocities of some units
     EXPECT_DOUBLE_EQ(motion.state.time, (n + 1) * dt);
@@ -172,16 +172,16 @@ void expect_verlet() {
   const double dt = 1e-5;
   auto u = motion.read(motion.state.u), v = motion.read(motion.state.v);
   auto a = motion.acceleration(u, v, 0);
-  auto stepper = stepper_named<d>("verlet", motion.solid);
+  auto integrator = integrator_named<d>("verlet", motion.solid);
   for (int n = 0; n < 3; ++n) {
     v = sum<d>(1, v, dt / 2, a);
     u = sum<d>(1, u, dt, v);
     a = motion.acceleration(u, v, (n + 1) * dt);
     v = sum<d>(1, v, dt / 2, a);
-    ASSERT_TRUE(stepper.step(motion.solid, motion.state, dt));
+    ASSERT_TRUE(integrator.step(motion.solid, motion.state, dt));
     expect_equal<d>(motion.read(motion.state.u), u, 1e-15);
     expect_equal<d>(motion.read(motion.state.v), v, 1e-13);
-    expect_equal<d>(motion.read(*stepper.carried()), a, 1e-7);  // of some 1e6
+    expect_equal<d>(motion.read(*integrator.carried()), a, 1e-7);  // of some 1e6
   }
 }
 
@@ -192,9 +192,9 @@ TEST(Steps, AreTheFormulasWrittenOut) {
   expect_verlet<3>();
 }
 
-TEST(Steppers, SayWhatTheyAre) {
+TEST(Integrators, SayWhatTheyAre) {
   const Solid<2> solid = rubber_block<2>(4, Layout::cell, 0);
-  const auto rk3 = stepper_named<2>("rk3", solid), verlet = stepper_named<2>("verlet", solid);
+  const auto rk3 = integrator_named<2>("rk3", solid), verlet = integrator_named<2>("verlet", solid);
   EXPECT_EQ(rk3.name, "rk3");
   EXPECT_EQ(verlet.name, "verlet");
   EXPECT_EQ(rk3.order, 3);
