@@ -11,7 +11,7 @@ namespace plumb {
 namespace {
 
 Cell cell_of(const nlohmann::ordered_json& value) {
-  if (value.is_null()) return std::string("nan");
+  if (value.is_null()) return std::monostate{};
   if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
   if (value.is_number_integer()) return value.get<long long>();
   if (value.is_number()) return value.get<double>();
@@ -22,6 +22,7 @@ Cell cell_of(const nlohmann::ordered_json& value) {
 std::string short_text(const Cell& cell, int digits) {
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.{}g}", *number, digits);
   if (const auto* whole = std::get_if<long long>(&cell)) return std::to_string(*whole);
+  if (std::holds_alternative<std::monostate>(cell)) return "-";
   return std::get<std::string>(cell);
 }
 
@@ -58,6 +59,7 @@ Table table_of(const nlohmann::ordered_json& rows) {
 std::string csv_cell(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.17g}", *number);
   if (const auto* whole = std::get_if<long long>(&cell)) return std::to_string(*whole);
+  if (std::holds_alternative<std::monostate>(cell)) return "nan";
   const auto& text = std::get<std::string>(cell);
   if (text.find_first_of("\",\n\r") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// One entry of a table: text, a whole number or a number.
-using Cell = std::variant<std::string, long long, double>;
+/// One entry of a table: text, a whole number, a number, or nothing where there is none.
+using Cell = std::variant<std::string, long long, double, std::monostate>;
 
 /// A table for --csv and for people. Column names carry their unit: "time [s]". Every row has one cell a
 /// column.
@@ -17,7 +17,7 @@ struct Table {
 };
 
 /// The table of a JSON array of flat objects: the columns are the keys in order of first appearance; a
-/// missing key is an empty cell, null is "nan", an array or object is written as JSON text.
+/// missing key is an empty cell, null is nothing ("nan" in CSV, "-" for people), an array or object is written as JSON text.
 Table table_of(const nlohmann::ordered_json& rows);
 
 /// RFC 4180 text with a heading line. Numbers have 17 significant digits; non-finite ones read nan, inf,

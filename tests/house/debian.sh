@@ -11,7 +11,7 @@ mirror=$(apt-cache policy | sed -n 's/.*\(http[^ ]*debian\) bookworm\/main.*/\1/
 mkdir -p "$work"
 packages=${PLUMBLINE_PACKAGES:-$work/build}
 if [ -z "${PLUMBLINE_PACKAGES:-}" ]; then
-  cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DPLUMBLINE_ARCH=x86-64-v2 -DPLUMBLINE_TESTS=OFF \
+  cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DPLUMBLINE_ARCH=x86-64-v2 -DPLUMBLINE_TESTS=OFF -DCMAKE_UNITY_BUILD=ON \
     -DCMAKE_INSTALL_PREFIX=/usr ${launcher:+-DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"}
   cmake --build "$work/build" -j "${PLUMBLINE_JOBS:-2}"
   rm -f "$work"/build/*.deb
@@ -22,7 +22,9 @@ root=$work/bookworm
 rm -rf "$root"
 if [ -n "${PLUMBLINE_CHROOT:-}" ]; then cp -a "$PLUMBLINE_CHROOT" "$root"; else debootstrap --variant=minbase bookworm "$root" "$mirror"; fi
 mkdir "$root/packages" && cp "$packages"/*.deb "$root/packages/"
-cp -r "$source/tests/consumer" "$source/tests/interface" "$root/packages/"
+mkdir -p "$root/packages/source/tests" "$root/packages/source/verification"
+cp -r "$source/tests/consumer" "$source/tests/interface" "$source/tests/house" "$root/packages/source/tests/"
+cp -r "$source/verification/campaigns" "$root/packages/source/verification/"
 cat >"$root/packages/try" <<'TRY'
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
@@ -42,10 +44,13 @@ test -s /usr/share/man/man1/plumb.1.gz
 bash -c '. /usr/share/bash-completion/completions/plumb; COMP_WORDS=(plumb exp); COMP_CWORD=1; _plumb; [ "${COMPREPLY[*]}" = explain ]'
 # the library, with everything that its users need and nothing else
 apt-get install -q -y --no-install-recommends /packages/lib*plumbline*.deb /packages/python3-plumbline_*.deb g++ cmake ninja-build
-cmake -G Ninja -S /packages/consumer -B /tmp/consumer -DCMAKE_BUILD_TYPE=Release
+cmake -G Ninja -S /packages/source/tests/consumer -B /tmp/consumer -DCMAKE_BUILD_TYPE=Release
 cmake --build /tmp/consumer
 for program in own consumer rooms page; do "/tmp/consumer/$program"; done
-python3 -B /packages/interface/interface_test.py
+python3 -B /packages/source/tests/interface/interface_test.py
+# the page "your own code", as a stranger walks through it; with a clock
+apt-get install -q -y --no-install-recommends gfortran python3-numpy
+time /packages/source/tests/house/tutorial.sh /usr /tmp/tutorial
 # gone without a trace
 dpkg -L plumbline libplumbline-dev libplumbline-c1 python3-plumbline | sort -u >/packages/owned
 apt-get purge -q -y plumbline libplumbline-dev libplumbline-c1 python3-plumbline

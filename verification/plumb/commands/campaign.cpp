@@ -134,9 +134,14 @@ int campaign_action(const Session& session, const CampaignOptions& options) {
   if (!options.work_plot.empty()) require_writable(options.work_plot, "--work-plot");
   if (!options.jobs_as.empty()) {
     const std::string name = write_jobs(campaign, out, options.jobs_as);
+    const std::string start =
+        options.jobs_as == "makefile"
+            ? fmt::format("make -C {} -j 2", out.string())
+            : fmt::format("(cd {} && xargs -d '\\n' -P 2 -n 1 sh -c < {})", out.string(), name);
     session.text() << fmt::format(
-        "{} runs are ready in {}; start them by {}, then: plumb campaign {} --judge --out {}\n",
-        runs_of(campaign).size(), out.string(), (out / name).string(), options.file, out.string());
+        "{} runs are ready in {}. Start them:  {}\n"
+        "Then judge them:  plumb campaign {} --judge --out {}\n",
+        runs_of(campaign).size(), out.string(), start, options.file, out.string());
     session.write_json(
         {{"campaign", campaign.name}, {"jobs", (out / name).string()}, {"runs", runs_of(campaign).size()}});
     return 0;
