@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "lib/core/error.hpp"
+#include "lib/core/sentences.hpp"
 #include "lib/output/file.hpp"
 #include "lib/output/progress.hpp"
 #include "lib/output/sitting.hpp"
@@ -143,7 +144,7 @@ PageSection written(const SectionPlan& plan, const Results& results, ReportSumma
   PageSection out{plan.id, plan.title, {}, {}, chapter_of(plan.place)};
   for (const auto& job : plan.jobs) out.jobs.emplace_back(job.id, results.job(job.id));
   const auto give_up = [&](const std::exception& why) {
-    out.section.answer = fmt::format("No answer: {}.", why.what());
+    out.section.answer = sentences(fmt::format("No answer: {}", why.what()), "", "");
     out.section.checks = {{plan.title, "a result", why.what(), "not-computed"}};
     summary.problems.push_back(fmt::format("{}: {}", plan.id, why.what()));
   };

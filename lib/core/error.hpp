@@ -4,14 +4,16 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/core/sentences.hpp"
+
 namespace plumb {
 
-/// Something that the user gave cannot be used. The message reads "problem (why) suggestion".
-/// The program ends with exit code 2; nothing has been computed or written.
+/// Something that the user gave cannot be used. The message is made of problem, why and suggestion by
+/// sentences(). The program ends with exit code 2; nothing has been computed or written.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string problem, std::string why, std::string suggestion)
-      : std::runtime_error(compose(problem, why, suggestion)),
+      : std::runtime_error(sentences(problem, why, suggestion)),
         problem_(std::move(problem)),
         why_(std::move(why)),
         suggestion_(std::move(suggestion)) {}
@@ -21,10 +23,6 @@ class InputError : public std::runtime_error {
   const std::string& suggestion() const { return suggestion_; }
 
  private:
-  static std::string compose(const std::string& problem, const std::string& why,
-                             const std::string& suggestion) {
-    return problem + (why.empty() ? "" : " (" + why + ")") + (suggestion.empty() ? "" : " " + suggestion);
-  }
   std::string problem_, why_, suggestion_;
 };
 

@@ -36,8 +36,4 @@ std::string sentences(std::string_view problem, std::string_view why, std::strin
   return message;
 }
 
-std::string message_of(const InputError& error) {
-  return sentences(error.problem(), error.why(), error.suggestion());
-}
-
 }  // namespace plumb

@@ -16,7 +16,7 @@ inline std::string text_of(const Location& where) {
   return where.line > 0 ? where.file + ":" + std::to_string(where.line) : where.file;
 }
 
-/// A scene or study file that cannot be used: "FILE:LINE: key: problem (why) suggestion".
+/// A scene or study file that cannot be used: "FILE:LINE: key: problem. Why. Suggestion.".
 class SceneError : public InputError {
  public:
   SceneError(Location where, std::string key, const std::string& what_is_wrong, std::string why,

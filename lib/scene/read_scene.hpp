@@ -11,7 +11,7 @@ namespace plumb {
 /// Reads and checks a scene file. `overrides` are "section.key=value" as from --set; a value may be written
 /// as in the file or as bare text ("17 MPa", verlet). An override of body.spacing replaces body.particles and
 /// the other way round; likewise method.cfl and method.time_step, initial.velocity and initial.spin. Throws
-/// SceneError (an InputError): "FILE:LINE: key: problem (why) suggestion".
+/// SceneError (an InputError): "FILE:LINE: key: problem. Why. Suggestion.".
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// Every setting of the file with its overrides, by dotted key (settings_of in document.hpp): what a

@@ -30,7 +30,7 @@ typedef enum plumb_status {
   PLUMB_BAD_INPUT = 2  /* what was given cannot be used */
 } plumb_status;
 
-/* The last message of this thread: "problem (why) suggestion"; "" if there was none. Good until the next call that fails. */
+/* The last message of this thread: "problem. Why. Suggestion."; "" if there was none. Good until the next call that fails. */
 PLUMB_API const char* plumb_message(void);
 
 /* ---- The catalogue ------------------------------------------------------------------------------------------------------ */

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "lib/core/sentences.hpp"
+#include "lib/core/error.hpp"
 #include "lib/output/file.hpp"
 #include "lib/output/json.hpp"
 #include "lib/output/result_store.hpp"
@@ -84,7 +84,7 @@ JobResult Store::get(const Job& job) const {
   try {
     result.folder = folder_ / key(job);
   } catch (const InputError& error) {
-    result.failure = message_of(error);
+    result.failure = error.what();
     return result;
   }
   if (!has_result(result.folder)) return compute(job, std::move(result));

@@ -144,7 +144,7 @@ TEST(CInterface, ALawWithHistoryYields) {
 TEST(CInterface, RefusalsHaveCodesAndMessages) {
   plumb_solution* none = nullptr;
   EXPECT_EQ(plumb_new("swinging-plat", 2, &none), PLUMB_BAD_INPUT);
-  EXPECT_NE(std::string(plumb_message()).find("did you mean \"swinging-plate\""), std::string::npos)
+  EXPECT_NE(std::string(plumb_message()).find("Did you mean \"swinging-plate\""), std::string::npos)
       << plumb_message();
   EXPECT_EQ(plumb_new("swinging-plate", 3, &none), PLUMB_BAD_INPUT);
   EXPECT_EQ(plumb_new(nullptr, 2, &none), PLUMB_BAD_INPUT);

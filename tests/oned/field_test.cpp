@@ -57,7 +57,7 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(TestField, ErrorsNameTheFormOrTheNearestKind) {
-  EXPECT_NE(complaint("sinn:5").find("did you mean \"sin\"?"), std::string::npos);
+  EXPECT_NE(complaint("sinn:5").find("Did you mean \"sin\"?"), std::string::npos);
   EXPECT_NE(complaint("sin:1,2").find("sin:A,k,phi"), std::string::npos);
   EXPECT_NE(complaint("poly:").find("poly:a0"), std::string::npos);
   EXPECT_NE(complaint("poly:1,,2").find("is not a number"), std::string::npos);

@@ -7,7 +7,6 @@
 #include <new>
 
 #include "lib/core/error.hpp"
-#include "lib/core/sentences.hpp"
 #include "lib/output/file.hpp"
 #include "lib/output/json.hpp"
 #include "lib/output/sitting.hpp"
@@ -91,7 +90,7 @@ int main(int count, char** arguments) {
     plumb::app::add_all_commands(program, session);
     return flushed(run(program, session, words_of(count, arguments), arguments));
   } catch (const plumb::InputError& error) {
-    return complain(error, "plumb: " + plumb::message_of(error), bad_input, words_of(count, arguments));
+    return complain(error, std::string("plumb: ") + error.what(), bad_input, words_of(count, arguments));
   } catch (const plumb::SittingEnded& ended) {  // no error: the same call goes on from there
     return complain(std::string("plumb: ") + ended.what(), plumb::app::interrupt_exit_code());
   } catch (const std::bad_alloc&) {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "lib/core/sentences.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb::app {
 namespace {
@@ -38,9 +38,9 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 std::string unexpected(const CLI::App& app, const std::string& path, const std::string& argument) {
   if (argument.size() > 1 && argument[0] == '-')
-    return message_of(unknown_name("option", argument.substr(0, argument.find('=')), option_names(app)));
+    return unknown_name("option", argument.substr(0, argument.find('=')), option_names(app)).what();
   const auto commands = command_names(app);
-  if (!commands.empty()) return message_of(unknown_name("command", argument, commands));
+  if (!commands.empty()) return unknown_name("command", argument, commands).what();
   return sentences(fmt::format("unexpected argument \"{}\"", argument), "",
                    fmt::format("see {} --help", path));
 }

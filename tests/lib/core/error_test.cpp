@@ -7,8 +7,8 @@ namespace {
 
 TEST(InputError, ReadsProblemWhySuggestion) {
   const InputError error("spacing is -0.1 m", "it must be positive", "give 0.1");
-  EXPECT_STREQ(error.what(), "spacing is -0.1 m (it must be positive) give 0.1");
-  EXPECT_STREQ(InputError("no body", "", "").what(), "no body");
+  EXPECT_STREQ(error.what(), "spacing is -0.1 m. It must be positive. Give 0.1.");
+  EXPECT_STREQ(InputError("no body", "", "").what(), "no body.");
 }
 
 TEST(NearestName, FindsTheMisspeltOneAndNothingForNonsense) {
@@ -21,7 +21,7 @@ TEST(NearestName, FindsTheMisspeltOneAndNothingForNonsense) {
 
 TEST(UnknownName, NamesAllValidOnesAndTheNearest) {
   const InputError error = unknown_name("kernel", "quintc", {"cubic", "quintic"});
-  EXPECT_STREQ(error.what(), "unknown kernel \"quintc\" (valid: cubic, quintic) did you mean \"quintic\"?");
+  EXPECT_STREQ(error.what(), "unknown kernel \"quintc\". Valid: cubic, quintic. Did you mean \"quintic\"?");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/core/error.hpp"
+
 namespace plumb {
 namespace {
 
@@ -23,9 +25,9 @@ TEST(Sentences, NamesAndFormulasKeepTheirLetters) {
 }
 
 TEST(Sentences, TheMessageOfAnErrorIsMadeOfItsParts) {
-  EXPECT_EQ(message_of(InputError("no kernel", "there is none", "name one")),
+  EXPECT_EQ(std::string(InputError("no kernel", "there is none", "name one").what()),
             "no kernel. There is none. Name one.");
-  EXPECT_EQ(message_of(unknown_name("kernel", "quintc", {"cubic", "quintic"})),
+  EXPECT_EQ(std::string(unknown_name("kernel", "quintc", {"cubic", "quintic"}).what()),
             "unknown kernel \"quintc\". Valid: cubic, quintic. Did you mean \"quintic\"?");
 }
 

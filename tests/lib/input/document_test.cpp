@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/core/sentences.hpp"
+#include "lib/core/error.hpp"
 
 namespace plumb {
 namespace {
@@ -83,7 +83,7 @@ TEST(Document, SlipsGetTheRightHint) {
       parse_document(slip.text, "a.toml", {slip.change});
       ADD_FAILURE() << slip.change << " is accepted";
     } catch (const SceneError& error) {
-      EXPECT_EQ(message_of(error), slip.message);
+      EXPECT_EQ(error.what(), slip.message);
     }
 }
 

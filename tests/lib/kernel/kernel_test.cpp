@@ -41,7 +41,7 @@ TEST(KernelNamed, NamesTheNearestForAMisspeltOne) {
     FAIL() << "an unknown kernel was accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("\"wendland\""), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("did you mean \"wendland-c2\"?"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("Did you mean \"wendland-c2\"?"), std::string::npos);
   }
 }
 

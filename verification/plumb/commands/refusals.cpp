@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "lib/core/sentences.hpp"
+#include "lib/core/error.hpp"
 #include "lib/input/section.hpp"
 #include "lib/output/file.hpp"
 #include "lib/scene/material_path.hpp"
@@ -92,7 +92,7 @@ std::string refusal_of_file(const BadInput& bad, const std::string& text) {
     with_dimension(scene,
                    [&scene]<int d>() { return make_simulation<d>(scene).simulation.counts().particles > 0; });
   } catch (const InputError& error) {
-    return "plumb: " + message_of(error);
+    return std::string("plumb: ") + error.what();
   }
   return "";
 }
