@@ -243,7 +243,7 @@ StoredEnergy<d> Element<d>::stored_energy() const {
     if (asked->trouble) return std::nullopt;
     return asked->body.residual(u, F);
   };
-  made.tangent = body_.tangent;
+  made.tangent = [tangent = body_.tangent](const Mat<d>& F, Index) { return tangent(F); };
   made.trouble = [asked] { return asked->trouble; };
   double volume = 0;
   for (const double V : body_.cloud.V) volume += V;

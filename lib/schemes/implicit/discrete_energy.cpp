@@ -19,7 +19,7 @@ SparseMatrix block_tangents(const StoredEnergy<d>& stored, const Eigen::VectorXd
   for (Index q = 0; q < places; ++q) {
     Mat<d> F;
     for (int m = 0; m < block; ++m) F(m / d, m % d) = gradients[block * q + m];
-    const Tangent<d> tangent = stored.tangent(F);
+    const Tangent<d> tangent = stored.tangent(F, q);
     for (int k = 0; k < block; ++k)
       for (int m = 0; m < block; ++m) T.valuePtr()[(block * q + k) * block + m] = tangent(m, k);
   }

@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include "lib/core/error.hpp"
-#include "lib/material/laws.hpp"
-
 namespace plumb {
 namespace {
 
@@ -25,44 +22,25 @@ Mat<d> tensor_at(const Eigen::VectorXd& all, Index place) {
   return A;
 }
 
-// Below this a step changes W by less than its round-off; the correction is of third order.
-constexpr double no_change = 1e-8;
-
-/// C_1 - C_0.
-template <int d>
-Mat<d> change_of_stretch(const Mat<d>& before, const Mat<d>& middle) {
-  const Mat<d> after = 2 * middle - before;
-  return after.transpose() * after - before.transpose() * before;
+/// Whether the last iteration gained less than a digit.
+bool slow(const std::vector<double>& residuals) {
+  return residuals.back() > 0.1 * residuals[residuals.size() - 2];
 }
 
-/// P = F_m S with S_m of the middle and what makes S : dC/2 the change of W. THEORY (15.13).
+/// The share of a step to where every J is positive and, of the exact tangent, the residual is less than
+/// `size`; the whole of it if there is none.
 template <int d>
-Mat<d> stress_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle) {
-  const Mat<d> after = 2 * middle - before;
-  const Mat<d> twice = middle.inverse() * law.first_piola(middle);
-  Mat<d> S = 0.5 * (twice + twice.transpose());
-  const Mat<d> change = change_of_stretch<d>(before, middle);
-  const double size = change.squaredNorm();
-  if (size > no_change * no_change)
-    S += (2 * (law.energy(after) - law.energy(before)) - S.cwiseProduct(change).sum()) / size * change;
-  return middle * S;
+Eigen::VectorXd nearer(const Balance<d>& balance, const Eigen::VectorXd& from, const Eigen::VectorXd& step,
+                       double size, bool less) {
+  double share = 1;
+  for (int k = 0; k < most_halvings; ++k, share /= 2) {
+    const auto r = balance.residual(from + share * step);
+    if (r && (!less || balance.free_part(*r).norm() < size)) break;
+  }
+  return share * step;
 }
 
 }  // namespace
-
-template <int d>
-PointLaw<d> objective_law(const LawChoice& choice, const Elastic& elastic) {
-  PointLaw<d> made;
-  with_elastic_law<d>(choice, elastic, [&]<class M>(const M& law) {
-    if (choice.name == "linear-elastic")
-      throw InputError("dynamics = \"energy-momentum\" with model = \"linear-elastic\"",
-                       "that law feels a rotation, so that its stress has a torque",
-                       "use another law, or dynamics = \"midpoint\"");
-    made = {[law](const Mat<d>& F) { return law.energy(F); },
-            [law](const Mat<d>& F) -> Mat<d> { return law.first_piola(F); }};
-  });
-  return made;
-}
 
 template <int d>
 struct EnergyMomentum<d>::Middle {
@@ -70,6 +48,7 @@ struct EnergyMomentum<d>::Middle {
   PointLaw<d> law;
   double energy_round_off;  ///< of W near the reference [Pa]
   Eigen::VectorXd before;   ///< F
+  bool exact = false;       ///< the tangent is that of (15.15), not dP/dF of the middle
 
   Eigen::VectorXd gradients(const Eigen::VectorXd& u) const {
     return operators.identity + operators.gradient * u;
@@ -117,10 +96,15 @@ EnergyMomentum<d>::EnergyMomentum(const StoredEnergy<d>& energy, PointLaw<d> law
               return middle->residual(u, *trouble);
             };
             with_steps.trouble = [trouble] { return *trouble; };
+            with_steps.tangent = [middle = middle_](const Mat<d>& F, Index place) {
+              return middle->exact ? tangent_of_step<d>(middle->law, tensor_at<d>(middle->before, place), F)
+                                   : middle->law.tangent(F);
+            };
             return with_steps;
           }(),
           actions, {from.time, 1}, from.u),
       solver_(balance_.symmetric()),
+      exact_solver_(false),
       mass_(d * energy.cloud.size()) {
   for (Index i = 0; i < energy.cloud.size(); ++i)
     mass_.segment<d>(d * i).setConstant(energy.elastic.density * energy.cloud.V[i]);
@@ -137,6 +121,7 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
   balance_.set_inertia(4 / (dt * dt) * mass_, u + dt / 2 * v);
   Eigen::VectorXd middle = 0.5 * (u + end);
   NewtonResult result;
+  middle_->exact = false;
   for (int n = 0; n <= most_equation_solves; ++n) {
     const auto all = balance_.residual(middle);
     result.end = NewtonEnd::inverted;
@@ -146,6 +131,7 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
     result.residuals.push_back(scale > 0 ? r.norm() / scale : 0);
     result.end = NewtonEnd::not_a_number;
     if (!r.allFinite()) return result;
+    middle_->exact = middle_->exact || (n > 0 && slow(result.residuals));
     balance_.linearise_at(middle);
     const double round_off =
         balance_.energy().residual_round_off(middle) + middle_->residual_round_off(middle);
@@ -155,20 +141,15 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
       result.end = NewtonEnd::converged;
       return result;
     }
-    const auto solution = solver_.solve(balance_.tangent(), -r);
+    const auto solution = (middle_->exact ? exact_solver_ : solver_).solve(balance_.tangent(), -r);
     if (!solution) return result;
-    const Eigen::VectorXd step = balance_.whole(solution->x);
-    double share = 1;
-    for (int k = 0; k < most_halvings && !balance_.residual(middle + share * step); ++k) share /= 2;
-    middle += share * step;
+    middle += nearer(balance_, middle, balance_.whole(solution->x), r.norm(), middle_->exact);
   }
   result.end = NewtonEnd::stalled;
   return result;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                       \
-  template PointLaw<d> objective_law<d>(const LawChoice& law, const Elastic& elastic); \
-  template class EnergyMomentum<d>;
+#define PLUMBLINE_INSTANTIATE(d) template class EnergyMomentum<d>;
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -79,7 +79,7 @@ StoredEnergy<d> stored_energy(const Solid<d>& body) {
     return energy_of(asked->solid, asked->state).total();
   };
   made.residual = [asked](const Eigen::VectorXd& u) { return residual_of(*asked, u); };
-  made.tangent = solid.sweeps.tangent;
+  made.tangent = [tangent = solid.sweeps.tangent](const Mat<d>& F, Index) { return tangent(F); };
   made.trouble = [asked] { return asked->outcome.trouble; };
   made.round_off = energy_round_off(solid);
   return made;

@@ -26,7 +26,7 @@ struct StoredEnergy {
   std::function<double(const Eigen::VectorXd& u)> energy;  ///< E [J]
   /// dE/du [N]; nullopt if some J is not positive.
   std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& u)> residual;
-  std::function<Tangent<d>(const Mat<d>& F)> tangent;  ///< dP/dF of the law [Pa]
+  std::function<Tangent<d>(const Mat<d>& F, Index place)> tangent;  ///< dP/dF of the law there [Pa]
   std::function<std::optional<Trouble>()> trouble;  ///< where the last residual had no positive J, if it had
   double round_off = 0;                             ///< of E near the reference [J]
 };

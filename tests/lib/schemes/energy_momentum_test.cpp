@@ -121,6 +121,59 @@ TEST(EnergyMomentum, IsOfSecondOrder) {
   EXPECT_NEAR(fit.order, 2, 0.15);  // the reference has 1/64 of the error of the finest level
 }
 
+template <int d>
+void expect_tangent(const LawChoice& choice) {
+  const PointLaw<d> law = objective_law<d>(choice, testing::rubber);
+  Mat<d> before = Mat<d>::Identity(), middle = Mat<d>::Identity();
+  for (int i = 0; i < d; ++i)
+    for (int j = 0; j < d; ++j) {
+      before(i, j) += 0.05 * std::sin(1 + 2 * i + 5 * j);
+      middle(i, j) += 0.07 * std::cos(3 * i + 2 * j);
+    }
+  const Mat<d* d> tangent = tangent_of_step<d>(law, before, middle);
+  constexpr double step = 1e-6;
+  for (int n = 0; n < d * d; ++n) {
+    Mat<d> more = middle, less = middle;
+    more(n / d, n % d) += step;
+    less(n / d, n % d) -= step;
+    const Mat<d> slope =
+        (stress_of_step<d>(law, before, more) - stress_of_step<d>(law, before, less)) / (2 * step);
+    for (int m = 0; m < d * d; ++m)  // step^2 of the third derivative, and round-off of P over the step
+      EXPECT_NEAR(tangent(m, n), slope(m / d, m % d), 1e-7 * tangent.norm()) << choice.name << m << n;
+  }
+  const double work = stress_of_step<d>(law, before, middle).cwiseProduct(2 * (middle - before)).sum();
+  EXPECT_NEAR(work, law.energy(2 * middle - before) - law.energy(before), 1e-12 * tangent.norm());
+}
+
+TEST(EnergyMomentum, TangentIsTheDerivativeOfTheStressOfTheStep) {
+  for (const char* name : {"neo-hookean", "mooney-rivlin", "polyconvex", "saint-venant-kirchhoff"}) {
+    expect_tangent<1>(LawChoice(name));
+    expect_tangent<2>(LawChoice(name));
+    expect_tangent<3>(LawChoice(name));
+  }
+  expect_tangent<2>(LawChoice("mooney-rivlin", {}, Plane::stress));
+}
+
+/// Steps in which the tangent of the middle does not converge. With the exact one each iteration squares the
+/// residual: its logarithm doubles.
+TEST(EnergyMomentum, TakesSteepStepsQuadratically) {
+  const LawChoice law("neo-hookean");
+  const StoredEnergy<2> stored = stored_energy(testing::elastic_body<2>({}, law, 0, 0, 4));
+  const Actions<2> nothing;
+  BodyMotion motion = spinning(stored.cloud);
+  EnergyMomentum<2> rule(stored, objective_law<2>(law, testing::rubber), nothing, 1e-12, motion);
+  for (int n = 0; n < 5; ++n) {
+    const NewtonResult result = rule.step(motion, 4e-3);
+    ASSERT_TRUE(result.converged()) << "step " << n << " ended with residual " << result.residuals.back();
+    std::vector<double> exponents;
+    for (std::size_t k = 0; k + 1 < result.residuals.size(); ++k)
+      if (const double r = result.residuals[k]; r < 1e-3 && r > 1e-6)  // small, and its square not round-off
+        exponents.push_back(std::log(result.residuals[k + 1]) / std::log(r));
+    EXPECT_FALSE(exponents.empty());
+    for (const double exponent : exponents) EXPECT_GT(exponent, 1.5) << "step " << n;
+  }
+}
+
 TEST(EnergyMomentum, RefusesALawThatFeelsRotations) {
   EXPECT_THROW(objective_law<2>(LawChoice("linear-elastic"), testing::rubber), InputError);
 }
