@@ -1,6 +1,7 @@
 #pragma once
 #include <bit>
 #include <boost/align/aligned_allocator.hpp>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -85,6 +86,15 @@ struct Pack {
     return of(use.lanes > 0 ? min(a, b).lanes : b.lanes);
   }
 };
+
+/// Natural logarithm, lane by lane.
+template <int W>
+Pack<W> log(Pack<W> x) {
+  double values[W];
+  x.store(values);
+  for (double& value : values) value = std::log(value);
+  return Pack<W>::load(values);
+}
 
 /// x^(-1/3) for x > 0, to about 2 units in the last place: a first guess from the exponent bits (relative
 /// error below 4 %), then two fourth-order steps y <- y (1 + c/3 + 2c^2/9 + 14c^3/81), c = 1 - x y^3.

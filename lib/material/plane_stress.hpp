@@ -26,6 +26,14 @@ struct Sloped {
   friend Sloped operator*(const Sloped& x, const Sloped& y) {
     return {x.value * y.value, x.slope * y.value + x.value * y.slope};
   }
+  friend Sloped operator/(const Sloped& x, const Sloped& y) {
+    const T quotient = x.value / y.value;
+    return {quotient, (x.slope - quotient * y.slope) / y.value};
+  }
+  friend Sloped log(const Sloped& x) {
+    using std::log;
+    return {log(x.value), x.slope / x.value};
+  }
   friend Sloped reciprocal_cbrt(const Sloped& x) {
     using plumb::reciprocal_cbrt;
     const T root = reciprocal_cbrt(x.value);

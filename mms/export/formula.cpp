@@ -27,6 +27,8 @@ double computed(Term::Op op, double a, double b) {
       return std::sqrt(a);
     case Term::Op::inverse_cube_root:
       return 1 / std::cbrt(a);
+    case Term::Op::logarithm:
+      return std::log(a);
     case Term::Op::constant:
     case Term::Op::variable:
       break;
@@ -105,6 +107,8 @@ int Formulas::derivative_of(const Term& term, int place, int variable) {
       return make(Op::quotient, make(Op::product, constant(0.5), da), place);
     case Op::inverse_cube_root:
       return make(Op::quotient, make(Op::product, constant(-1.0 / 3), make(Op::product, place, da)), term.a);
+    case Op::logarithm:
+      return make(Op::quotient, da, term.a);
     case Op::constant:
     case Op::variable:
       break;

@@ -19,7 +19,8 @@ struct Term {
     sine,
     cosine,
     root,
-    inverse_cube_root
+    inverse_cube_root,
+    logarithm
   };
   Op op = Op::constant;
   int a = -1, b = -1;
@@ -74,6 +75,7 @@ struct Written {
   friend Written cos(const Written& x) { return one(Term::Op::cosine, x); }
   friend Written sqrt(const Written& x) { return one(Term::Op::root, x); }
   friend Written reciprocal_cbrt(const Written& x) { return one(Term::Op::inverse_cube_root, x); }
+  friend Written log(const Written& x) { return one(Term::Op::logarithm, x); }
   Written& operator+=(const Written& y) { return *this = *this + y; }
   Written& operator-=(const Written& y) { return *this = *this - y; }
   Written& operator*=(const Written& y) { return *this = *this * y; }

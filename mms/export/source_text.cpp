@@ -83,6 +83,8 @@ class Writer {
         return "sqrt(" + a + ")";
       case Term::Op::inverse_cube_root:
         return fmt::format(fmt::runtime(language_.inverse_cube_root), a);
+      case Term::Op::logarithm:
+        return "log(" + a + ")";
       case Term::Op::constant:
       case Term::Op::variable:
         break;

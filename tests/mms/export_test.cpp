@@ -193,7 +193,7 @@ TEST(Export, WhatCannotBeWrittenIsRefused) {
 TEST(Export, DerivativesOfOperations) {
   Formulas list;
   const Written x(list, list.variable(0));
-  const Written f = x * sin(x) / sqrt(x) - reciprocal_cbrt(x) * cos(Written(2.0) * x);
+  const Written f = x * sin(x) / sqrt(x) - reciprocal_cbrt(x) * cos(Written(2.0) * x) + x * log(x);
   const int slope = list.derivative(f.in(list), 0);
   std::vector<double> values(1000);
   const double at = 0.7;
@@ -210,10 +210,12 @@ TEST(Export, DerivativesOfOperations) {
     if (t.op == Term::Op::cosine) v = std::cos(value(t.a));
     if (t.op == Term::Op::root) v = std::sqrt(value(t.a));
     if (t.op == Term::Op::inverse_cube_root) v = 1 / std::cbrt(value(t.a));
+    if (t.op == Term::Op::logarithm) v = std::log(value(t.a));
     values[static_cast<std::size_t>(term)] = v;
   }
   const double right = 0.5 / std::sqrt(at) * std::sin(at) + std::sqrt(at) * std::cos(at) +
-                       std::pow(at, -4.0 / 3) / 3 * std::cos(2 * at) + 2 * std::sin(2 * at) / std::cbrt(at);
+                       std::pow(at, -4.0 / 3) / 3 * std::cos(2 * at) + 2 * std::sin(2 * at) / std::cbrt(at) +
+                       std::log(at) + 1;
   EXPECT_NEAR(values[static_cast<std::size_t>(slope)], right, 1e-14);
 }
 

@@ -26,6 +26,14 @@ TEST(Pack, ReciprocalCubeRoot) {
   check_reciprocal_cube_root<native_width>();
 }
 
+TEST(Pack, LogarithmOfEachLane) {
+  double values[native_width], logs[native_width];
+  for (int lane = 0; lane < native_width; ++lane) values[lane] = std::exp(lane - 2.5);
+  log(Pack<native_width>::load(values)).store(logs);
+  for (int lane = 0; lane < native_width; ++lane)
+    EXPECT_NEAR(logs[lane], lane - 2.5, 4 * std::numeric_limits<double>::epsilon() * 2.5) << lane;
+}
+
 TEST(Pack, LanesAreIndependent) {
   double values[native_width], result[native_width];
   for (int i = 0; i < native_width; ++i) values[i] = i - 2.5;

@@ -146,7 +146,8 @@ void expect_tangent(const LawChoice& choice) {
 }
 
 TEST(EnergyMomentum, TangentIsTheDerivativeOfTheStressOfTheStep) {
-  for (const char* name : {"neo-hookean", "mooney-rivlin", "polyconvex", "saint-venant-kirchhoff"}) {
+  for (const char* name :
+       {"neo-hookean", "mooney-rivlin", "polyconvex", "saint-venant-kirchhoff", "neo-hookean-logarithmic"}) {
     expect_tangent<1>(LawChoice(name));
     expect_tangent<2>(LawChoice(name));
     expect_tangent<3>(LawChoice(name));

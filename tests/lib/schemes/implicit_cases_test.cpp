@@ -8,6 +8,7 @@
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/implicit/equilibrium.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
+#include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "places.hpp"
 
 namespace plumb {
@@ -72,6 +73,21 @@ TEST(ImplicitCases, ElasticFlagOfTurekAndHron) {
     EXPECT_LT(std::abs(tips[2][k] - tips[1][k]), 0.25 * std::abs(tips[1][k] - tips[0][k])) << k;
     EXPECT_NEAR(tips[2][k] + (tips[2][k] - tips[1][k]) / 3, published[k], 0.003 * std::abs(published[k]))
         << k;
+  }
+}
+
+/// Rubber of paper 004, 6.5, on 11 x 11 particles pulled by 5 mm: force [N/m] and energy [J/m] as another
+/// program has them, without and with hourglass energy.
+TEST(ImplicitCases, PulledRubberAsInAnotherProgram) {
+  const std::vector<std::string> coarse{"body.spacing=\"0.2 mm\"", "scene.end_time=\"0.5 s\""};
+  for (const auto& [alpha, force, energy] : {std::tuple(0.0, 520.74081683892, 1.5899391700887),
+                                             std::tuple(5.0, 538.73929477307, 1.6121664666178)}) {
+    std::vector<std::string> set = coarse;
+    set.push_back("hourglass.alpha=" + std::to_string(alpha));
+    StaticResult<2> result;
+    const TlsphBody<2> s = equilibrium_of("pulled-rubber.toml", set, &result);
+    EXPECT_NEAR(energy_of(s.solid, s.state).total(), energy, 1e-8 * energy) << alpha;
+    EXPECT_NEAR(result.reactions.back().force[1], force, 1e-8 * force) << alpha;
   }
 }
 

@@ -13,8 +13,8 @@ namespace plumb::testing {
 
 inline std::vector<LawChoice> elastic_laws(int d) {
   std::vector<LawChoice> laws;
-  for (const char* name :
-       {"neo-hookean", "mooney-rivlin", "polyconvex", "saint-venant-kirchhoff", "linear-elastic"}) {
+  for (const char* name : {"neo-hookean", "mooney-rivlin", "polyconvex", "saint-venant-kirchhoff",
+                           "neo-hookean-logarithmic", "linear-elastic"}) {
     laws.emplace_back(name);
     if (d == 2) laws.emplace_back(name, std::map<std::string, double>{}, Plane::stress);
   }
