@@ -93,6 +93,18 @@ Window window_at(const Cloud<1>& cloud, double R, double x) {
   return {first - X.begin(), last - X.begin()};
 }
 
+Window support_of(const Cloud<1>& cloud, double R, double length, double x) {
+  if (!(x >= 0 && x <= length))
+    throw InputError(fmt::format("the evaluation point x = {} lies outside the body", x),
+                     fmt::format("the body is [0, {}]", length), "Give --at inside it.");
+  const Window window = window_at(cloud, R, x);
+  if (window.count() < 2)
+    throw InputError(fmt::format("the point x = {:.6g} m has {} particles in its support", x, window.count()),
+                     fmt::format("R = {:.6g} m, spacing {:.6g} m; a gradient needs 2", R, cloud.spacing),
+                     "Increase --radius or --radius-over-dx.");
+  return window;
+}
+
 std::vector<Window> windows(const Cloud<1>& cloud, double R) {
   const double reach = inner_radius(R);
   const auto& X = cloud.X;
@@ -118,12 +130,9 @@ std::vector<std::string> warnings(const Discretisation& d, const std::vector<Tes
   std::vector<std::string> all;
   const double ratio = d.support() / d.dx();
   const double nearest = std::round(ratio);
-  if (d.jitter == 0 && nearest >= 1 && std::abs(ratio - nearest) < 1e-9 * nearest)
+  if (d.jitter == 0 && nearest == 1 && std::abs(ratio - nearest) < 1e-9)
     all.push_back(
-        nearest == 1
-            ? fmt::format("R/dx = {:.12g}: R is the spacing itself, rounding picks the neighbours", ratio)
-            : "R is a whole number of spacings: the particles "
-              "at r = R count as outside (harmless, W(R) = 0)");
+        fmt::format("R/dx = {:.12g}: R is the spacing itself, rounding picks the neighbours", ratio));
   for (const TestField& field : fields)
     if (const auto* sine = std::get_if<Sine>(&field.form))
       if (std::abs(sine->wave_number) * d.dx() > std::numbers::pi)

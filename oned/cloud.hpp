@@ -57,11 +57,15 @@ double inner_radius(double R);
 /// The window around any point x: two bisections.
 Window window_at(const Cloud<1>& cloud, double R, double x);
 
+/// The window around any point x of [0, length]. InputError if x lies outside or fewer than 2 particles lie
+/// in it: no gradient exists there.
+Window support_of(const Cloud<1>& cloud, double R, double length, double x);
+
 /// The windows of all particles in linear time. InputError if a particle has no neighbour but itself, with
 /// its number, position and number of neighbours: no gradient exists there.
 std::vector<Window> windows(const Cloud<1>& cloud, double R);
 
-/// What a user should know although it can be computed: R on a lattice distance, aliased waves.
+/// What a user should know although it can be computed: R is the spacing, aliased waves.
 std::vector<std::string> warnings(const Discretisation& discretisation, const std::vector<TestField>& fields);
 
 }  // namespace plumb::oned

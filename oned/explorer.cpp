@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "oned/gradient.hpp"
 
@@ -43,16 +45,9 @@ std::vector<std::pair<std::string, double>> sums(const std::vector<KernelRow>& r
 KernelView explore(const Discretisation& discretisation, double x) {
   const Cloud<1> cloud = make_cloud(discretisation);
   const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
-  if (!(x >= 0 && x <= discretisation.length))
-    throw InputError(fmt::format("the evaluation point x = {} lies outside the body", x),
-                     fmt::format("the body is [0, {}]", discretisation.length), "Give --at inside it.");
   const double R = discretisation.support();
   const double h = R / kernel.support;
-  const Window window = window_at(cloud, R, x);
-  if (window.count() < 2)
-    throw InputError(fmt::format("the point x = {:.6g} m has {} particles in its support", x, window.count()),
-                     fmt::format("R = {:.6g} m, spacing {:.6g} m; a gradient needs 2", R, cloud.spacing),
-                     "Increase --radius or --radius-over-dx.");
+  const Window window = support_of(cloud, R, discretisation.length, x);
   std::vector<Neighbour<1>> seen;
   see(cloud, window, x, seen);
   const auto plain = correct<1>(Correction::none, kernel, h, seen);
@@ -72,6 +67,24 @@ KernelView explore(const Discretisation& discretisation, double x) {
   }
   view.sums = sums(view.rows, seen);
   return view;
+}
+
+KernelCurves kernel_curves(const Discretisation& discretisation, const KernelView& view, Index count) {
+  const RadialKernel<1> kernel = kernel_named<1>(discretisation.kernel);
+  const double from = std::max(0.0, view.at - view.R), to = std::min(discretisation.length, view.at + view.R);
+  double whole = 0;
+  for (const auto& [name, sum] : view.sums)
+    if (name == "VW") whole = sum;
+  KernelCurves curves;
+  for (Index k = 0; k < count; ++k) {
+    const double s = from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
+    const double W = kernel.w(std::abs(s - view.at) / view.h) / view.h;
+    curves.s.push_back(s);
+    curves.W.push_back(W);
+    curves.W0.push_back(W / whole);
+    curves.W1.push_back(view.alpha * (1 - view.beta * (s - view.at)) * W);
+  }
+  return curves;
 }
 
 }  // namespace plumb::oned

@@ -28,4 +28,13 @@ struct KernelView {
 /// than 2 particles lie in the support.
 KernelView explore(const Discretisation& discretisation, double x);
 
+/// W, W0 and W1 as functions of the place s, for the evaluation point of a view: what the kernels are between
+/// the particles, too. Lists of equal length.
+struct KernelCurves {
+  std::vector<double> s;          ///< [m]
+  std::vector<double> W, W0, W1;  ///< [1/m]
+};
+/// So many points over the part of the support that lies in the body.
+KernelCurves kernel_curves(const Discretisation& discretisation, const KernelView& view, Index count);
+
 }  // namespace plumb::oned

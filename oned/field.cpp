@@ -1,9 +1,12 @@
 #include "oned/field.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_deriv.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "lib/core/error.hpp"
 
@@ -54,6 +57,8 @@ TestField parse_field(std::string_view given) {
                                     ? std::vector<double>{}
                                     : parse_numbers(text.substr(colon + 1), text);
   const std::string name(text);
+  if (colon == std::string_view::npos && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    return {name, Formula{Expression(name, 1, "field")}};
   if (kind == "poly") {
     if (p.empty()) throw wrong_count(text, 0, "poly:a0,a1,a2,.. for a0 + a1 X + a2 X^2 + ..");
     return {name, Polynomial{p}};
@@ -91,7 +96,28 @@ struct Value {
   double operator()(const Exponential& f) const { return std::exp(f.rate * X); }
   double operator()(const Tanh& f) const { return std::tanh(f.steepness * (X - f.centre)); }
   double operator()(const Runge&) const { return 1 / (1 + 25 * X * X); }
+  double operator()(const Formula& f) const { return f.expression.at({X, 0, 0}); }
 };
+
+/// For GSL: the formula at X; not a number where it has no value.
+double formula_at(double X, void* formula) {
+  try {
+    return static_cast<const Formula*>(formula)->expression.at({X, 0, 0});
+  } catch (const InputError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+double slope_of(Formula f, double X) {
+  const gsl_function function{formula_at, &f};
+  double best = std::numeric_limits<double>::quiet_NaN(), least = std::numeric_limits<double>::infinity();
+  for (double step = 1e-2; step > 1e-6; step /= 4) {
+    double slope = 0, error = 0;
+    gsl_deriv_central(&function, X, step * (1 + std::abs(X)), &slope, &error);
+    if (std::isfinite(slope) && error < least) best = slope, least = error;
+  }
+  return best;
+}
 
 struct Derivative {
   double X;
@@ -113,6 +139,7 @@ struct Derivative {
     const double denominator = 1 + 25 * X * X;
     return -50 * X / denominator / denominator;
   }
+  double operator()(const Formula& f) const { return slope_of(f, X); }
 };
 
 template <class Function>

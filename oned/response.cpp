@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,52 @@ std::vector<ResponseRow> response_rows(const std::string& kernel, double radius_
       rows.push_back({thetas[k], method.estimator, method.pair, values[k]});
   }
   return rows;
+}
+
+std::vector<Resolution> resolutions(const std::string& kernel, double radius_over_dx,
+                                    const std::vector<GradientMethod>& methods,
+                                    const std::vector<double>& errors) {
+  const RadialKernel<1> W = kernel_named<1>(kernel);
+  std::vector<Resolution> all;
+  for (const GradientMethod& method : methods)
+    for (const double error : errors) {
+      const auto within = [&](double theta) {
+        return std::abs(response(W, radius_over_dx, method, {theta})[0] / theta - 1) <= error;
+      };
+      Resolution found{method.estimator, method.pair, error, {}, {}};
+      constexpr int waves = 1000;
+      double inside = 0, outside = std::numbers::pi;
+      for (int k = 1; k <= waves; ++k) {
+        outside = std::numbers::pi * k / waves;
+        if (!within(outside)) break;
+        inside = outside;
+      }
+      constexpr int halvings = 50;  // to round-off
+      for (int k = 0; k < halvings && inside > 0 && inside < outside; ++k)
+        (within((inside + outside) / 2) ? inside : outside) = (inside + outside) / 2;
+      if (inside > 0) found.theta = inside, found.particles_per_wave = 2 * std::numbers::pi / inside;
+      all.push_back(std::move(found));
+    }
+  return all;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> same_operators(const std::string& kernel,
+                                                                double radius_over_dx,
+                                                                const std::vector<GradientMethod>& methods) {
+  std::vector<double> thetas;  // more than an operator has entries on one side
+  const auto entries = static_cast<int>(std::ceil(radius_over_dx)) + 1;
+  for (int k = 1; k <= entries; ++k) thetas.push_back(std::numbers::pi * k / (entries + 1));
+  std::vector<std::vector<double>> values;
+  for (const GradientMethod& method : methods)
+    values.push_back(response(kernel_named<1>(kernel), radius_over_dx, method, thetas));
+  constexpr double round_off = 1e-13;  // of sums of a few terms of size 1
+  std::vector<std::pair<std::size_t, std::size_t>> same;
+  for (std::size_t a = 0; a < methods.size(); ++a)
+    for (std::size_t b = a + 1; b < methods.size(); ++b)
+      if (std::equal(values[a].begin(), values[a].end(), values[b].begin(),
+                     [](double x, double y) { return std::abs(x - y) < round_off; }))
+        same.emplace_back(a, b);
+  return same;
 }
 
 }  // namespace plumb::oned

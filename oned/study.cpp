@@ -40,6 +40,10 @@ struct Sampled {
       : x(values(field, cloud.X)), exact(derivatives(field, cloud.X)) {
     for (const double value : x) floor = std::max(floor, std::abs(value));
     floor *= 8 * std::numeric_limits<double>::epsilon() / cloud.spacing;
+    if (!std::holds_alternative<Formula>(field.form)) return;
+    double slope = 0;
+    for (const double value : exact) slope = std::max(slope, std::abs(value));
+    floor += slope_accuracy * slope;
   }
 };
 
@@ -139,7 +143,8 @@ RefinementStudy refine(const Discretisation& discretisation, const std::vector<I
           return {error_norms(clouds[k], R, error), cpu_s};
         };
         const auto made = sitting.value<TimedErrors>(
-            fmt::format("{}, {}, {}, n = {}", field.text, method.estimator, name_of(method.pair), all[k].n),
+            fmt::format("{}, {}, {}, {}, R = {:.17g} m, jitter {:.17g}, n = {}", field.text, method.estimator,
+                        name_of(method.pair), discretisation.kernel, R, discretisation.jitter, all[k].n),
             make, static_cast<double>(all[k].n));
         rows.push_back(
             {all[k].n, all[k].dx(), R, field.text, method.estimator, method.pair, made.norms, made.cpu_s});

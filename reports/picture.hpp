@@ -135,6 +135,10 @@ struct Dropped {
 ///         a series has no point that can be drawn, or a slope triangle stands on linear axes.
 std::vector<Dropped> save(const Picture& picture, const std::filesystem::path& file);
 
+/// The lines of the picture in letters, so many columns wide, by gnuplot's terminal "dumb": for a look at a
+/// terminal. nullopt if it has a map or gnuplot is not installed.
+std::optional<std::string> with_letters(const Picture& picture, std::size_t columns);
+
 /// The picture as SVG text. `prefix` starts every id inside, so that several pictures can share one page.
 /// @throws InputError as save().
 std::string svg(const Picture& picture, const std::string& prefix = "plumb");

@@ -41,11 +41,6 @@ TEST(TestField, DerivativesByComplexStep) {
   }
 }
 
-TEST(TestField, KeepsTheTextAndTrimsIt) {
-  EXPECT_EQ(parse_field(" poly:1, +2 ").text, "poly:1, +2");
-  EXPECT_DOUBLE_EQ(value(parse_field("poly:1, +2"), 3), 7);
-}
-
 /// The message of the error that the text causes.
 std::string complaint(const std::string& text) {
   try {
@@ -54,6 +49,31 @@ std::string complaint(const std::string& text) {
     return error.what();
   }
   return "no error";
+}
+
+/// A formula of the user's own: the same values, and slopes within what the docstring promises.
+TEST(TestField, FormulasAreThoseOfTheNamedForms) {
+  const std::vector<std::pair<const char*, const char*>> same{
+      {"1 - 2*X + 3*X^3", "poly:1,-2,0,3"}, {"2*sin(5*X + 0.1)", "sin:2,5,0.1"}, {"exp(-2*X)", "exp:-2"},
+      {"tanh(4*(X - 1))", "tanh:4,1"},      {"1/(1 + 25*X^2)", "runge"},         {"sin(60*X)", "sin:60"}};
+  for (const auto& [formula, name] : same) {
+    const TestField own = parse_field(formula), named = parse_field(name);
+    EXPECT_EQ(own.text, formula);
+    double largest = 0, off = 0;
+    for (int k = 0; k <= 50; ++k) {
+      const double X = 0.1 * k;
+      EXPECT_NEAR(value(own, X), value(named, X), 1e-13 * (1 + std::abs(value(named, X)))) << formula;
+      largest = std::max(largest, std::abs(derivative(named, X)));
+      off = std::max(off, std::abs(derivative(own, X) - derivative(named, X)));
+    }
+    EXPECT_LT(off, slope_accuracy * largest) << formula;
+  }
+  EXPECT_NE(complaint("sin(3*Y)").find("Y"), std::string::npos) << complaint("sin(3*Y)");
+}
+
+TEST(TestField, KeepsTheTextAndTrimsIt) {
+  EXPECT_EQ(parse_field(" poly:1, +2 ").text, "poly:1, +2");
+  EXPECT_DOUBLE_EQ(value(parse_field("poly:1, +2"), 3), 7);
 }
 
 TEST(TestField, ErrorsNameTheFormOrTheNearestKind) {

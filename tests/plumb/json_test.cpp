@@ -45,6 +45,8 @@ const std::vector<std::string> calls{
     "static @studies/static_plate.toml --set study.spacings=[0.5,0.4]",
     "operators @studies/operators.toml --set study.spacings=[0.1,0.05]",
     "oned kernels --at 0",
+    "oned correction --points 5",
+    "oned function --n 8",
     "oned gradient",
     "oned study --n 20,40",
     "oned response",

@@ -98,7 +98,7 @@ void expect_series(const Drawing& drawing, const std::string& label, const std::
 TEST(Plots, OfTheLine) {
   const Drawing gradient =
       drawn_by("oned gradient --field poly:1,0,1 --estimator standard,improved --pair W1 --n 10");
-  expect_axes(gradient, "Estimated gradient", "X [m]", "dx/dX");
+  expect_axes(gradient, "Estimated gradient of poly:1,0,1", "X [m]", "dx/dX");
   EXPECT_EQ(gradient.series.size(), 3u);
   expect_series(gradient, "exact", "X", "exact", {{"estimator", "standard"}});
   for (const std::string estimator : {"standard", "improved"})
@@ -112,9 +112,23 @@ TEST(Plots, OfTheLine) {
   const Drawing kernels = drawn_by("oned kernels --at 0 --n 20");
   expect_axes(kernels, "Kernels at x = 0 m, R = 1 m, dx = 0.25 m", "X_j [m]", "kernel [1/m]");
   for (const std::string name : {"W", "W0", "W1"}) expect_series(kernels, name, "x", name, json::object());
+  EXPECT_EQ(kernels.series.size(), 6u);  // the curves between the particles, too
+  const Drawing correction = drawn_by("oned correction --points 5");
+  expect_axes(correction, "The first-order correction along the body", "x [m]", "correction");
+  expect_series(correction, "alpha", "x", "alpha", json::object());
+  expect_series(correction, "sum V W", "x", "VW", json::object());
+  expect_series(correction, "negative share", "x", "negative", json::object());
+  const Drawing radii = drawn_by("oned correction --points 5 --radius-over-dx 2,3");
+  for (const double radius : {2.0, 3.0})
+    expect_series(radii, "R/dx = " + std::to_string(static_cast<int>(radius)), "x", "alpha",
+                  {{"radius_over_dx", radius}});
+  const Drawing function = drawn_by("oned function --n 10 --field sin:1");
+  expect_axes(function, "Estimated function of sin:1", "X [m]", "f");
+  for (const std::string pair : {"none", "W0", "W1"})
+    expect_series(function, pair, "X", "value", {{"pair", pair}});
   const Drawing study =
       drawn_by("oned study --n 10,20,40,80 --field poly:1,0,0,1 --estimator standard,improved");
-  expect_axes(study, "Root mean square error of the estimated gradient", "dx [m]", "RMSE");
+  expect_axes(study, "Root mean square error of the estimated gradient of poly:1,0,0,1", "dx [m]", "RMSE");
   EXPECT_EQ(study.series.size(), 2u);
   for (const std::string estimator : {"standard", "improved"})
     expect_series(study, estimator + " W1", "dx", "rmse", {{"estimator", estimator}});

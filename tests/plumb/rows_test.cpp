@@ -18,7 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using test::run_plumb;
 
-TEST(Rows, JsonCsvAndTextAreThoseOfTheWholeTable) {
+/// The text shows methods side by side where they are several, and of waves what they mean.
+TEST(Rows, JsonAndCsvAreThoseOfTheWholeTable) {
   for (const char* command :
        {"oned gradient --field sin:5 --field poly:1,2 --estimator standard,improved --pair W0,W1 --n 30",
         "oned gradient --field sin:5 --n 5000 --estimator improved", "oned kernels --at 0.1 --n 50",
@@ -34,6 +35,7 @@ TEST(Rows, JsonCsvAndTextAreThoseOfTheWholeTable) {
     const Table table = table_of(whole["rows"]);
     ASSERT_GT(table.rows.size(), 1u);
     EXPECT_EQ(csv_text(table), test::content_of(folder / "a.csv"));
+    if (std::string(command).find("kernels") == std::string::npos) continue;
     const std::string plain = plain_text(table);
     EXPECT_EQ(outcome.out.substr(outcome.out.size() - plain.size()), plain);
   }

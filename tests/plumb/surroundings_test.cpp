@@ -35,6 +35,8 @@ const std::vector<std::string> calls{
     "mms --check swinging-plate --points 10",
     "mms " + plate,
     "oned kernels --at 0.1",
+    "oned correction --points 5",
+    "oned function --n 8",
     "oned gradient --field sin:5 --n 10",
     "oned study --n 20,40,80,160",
     "oned response",

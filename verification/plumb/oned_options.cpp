@@ -33,14 +33,52 @@ oned::Discretisation OnedOptions::discretisation() const {
   d.length = length;
   if (!n.empty()) d.n = n.front();
   d.layout = oned::layout_named(layout);
-  d.jitter = jitter;
+  d.jitter = jitter.front();
   d.seed = seed;
-  kernel_named<1>(kernel);
-  d.kernel = kernel;
-  if (radius && radius_over_dx)
-    throw InputError("--radius and --radius-over-dx together", "both set the support", "Give one of them.");
-  d.radius = radius ? oned::Radius{*radius, true} : oned::Radius{radius_over_dx.value_or(4), false};
+  kernel_named<1>(kernel.front());
+  d.kernel = kernel.front();
+  d.radius = radii().front();
   return d;
+}
+
+std::vector<oned::Radius> OnedOptions::radii() const {
+  if (!radius.empty() && !radius_over_dx.empty())
+    throw InputError("--radius and --radius-over-dx together", "both set the support", "Give one of them.");
+  std::vector<oned::Radius> all;
+  for (const double value : radius) all.push_back({value, true});
+  for (const double value : radius_over_dx) all.push_back({value, false});
+  if (all.empty()) all.push_back({4, false});
+  return all;
+}
+
+std::vector<OnedVariant> OnedOptions::variants() const {
+  const auto all = radii();
+  std::vector<OnedVariant> made;
+  for (const auto& name : once(kernel))
+    for (const auto& R : all)
+      for (const double moved : jitter) {
+        OnedVariant variant{discretisation(), nlohmann::ordered_json::object()};
+        kernel_named<1>(name);
+        variant.discretisation.kernel = name;
+        variant.discretisation.radius = R;
+        variant.discretisation.jitter = moved;
+        if (kernel.size() > 1) variant.keys["kernel"] = name;
+        if (all.size() > 1) variant.keys[R.fixed ? "radius" : "radius_over_dx"] = R.value;
+        if (jitter.size() > 1) variant.keys["jitter"] = moved;
+        made.push_back(std::move(variant));
+      }
+  return made;
+}
+
+std::string OnedVariant::named(const std::string& text) const {
+  std::string all = text;
+  const auto add = [&all](const std::string& more) { all += (all.empty() ? "" : ", ") + more; };
+  for (const auto& [key, value] : keys.items())
+    add(key == "kernel"           ? value.get<std::string>()
+        : key == "radius_over_dx" ? fmt::format("R/dx = {:g}", value.get<double>())
+        : key == "radius"         ? fmt::format("R = {:g} m", value.get<double>())
+                                  : fmt::format("jitter {:g}", value.get<double>()));
+  return all;
 }
 
 std::vector<oned::TestField> OnedOptions::parsed_fields() const {
@@ -59,34 +97,50 @@ std::vector<oned::GradientMethod> OnedOptions::methods() const {
   return result;
 }
 
-void add_cloud_options(CLI::App& command, OnedOptions& options, bool several) {
+void add_cloud_options(CLI::App& command, OnedOptions& options, TakesLists lists) {
+  const auto list = [](CLI::Option* option, bool several) {
+    if (several)
+      option->delimiter(',')->allow_extra_args(false);
+    else
+      option->expected(1);
+    return option;
+  };
+  const std::string as_list = lists.variants ? ", or a list" : "";
   command.add_option("--length", options.length, "length L of the body (0, L) [m]")->capture_default_str();
   auto* n = command.add_option(
-      "--n", options.n, several ? "numbers of cells, as a list: 20,40,80,160" : "number of cells; dx = L/N");
-  if (several)
+      "--n", options.n, lists.n ? "numbers of cells, as a list: 20,40,80,160" : "number of cells; dx = L/N");
+  if (lists.n)
     n->delimiter(',');
   else
     n->expected(1);
-  n->default_str(several ? "20,40,80,160,320" : "40");
+  n->default_str(lists.n ? "20,40,80,160,320" : "40");
   command
       .add_option("--layout", options.layout,
                   "cell: N particles at (i+1/2) dx; node: N+1 at i dx, half volumes at the ends")
       ->capture_default_str();
-  command.add_option("--jitter", options.jitter, "largest random displacement over dx, with Voronoi volumes")
-      ->capture_default_str();
+  list(command.add_option("--jitter", options.jitter,
+                          "largest random displacement over dx, with Voronoi volumes" + as_list),
+       lists.variants)
+      ->default_str("0");
   command.add_option("--seed", options.seed, "seed of the jitter")
       ->check(whole_number)
       ->capture_default_str();
-  command.add_option("--kernel", options.kernel, join(names_of(KernelCatalogue{})))->capture_default_str();
-  command.add_option("--radius-over-dx", options.radius_over_dx, "support radius R over dx")
+  list(command.add_option("--kernel", options.kernel, join(names_of(KernelCatalogue{})) + as_list),
+       lists.variants)
+      ->default_str("cubic");
+  list(command.add_option("--radius-over-dx", options.radius_over_dx, "support radius R over dx" + as_list),
+       lists.variants)
       ->default_str("4");
-  command.add_option("--radius", options.radius, "support radius R [m], fixed while dx shrinks");
+  list(command.add_option("--radius", options.radius,
+                          "support radius R [m], fixed while dx shrinks" + as_list),
+       lists.variants);
 }
 
 void add_field_option(CLI::App& command, OnedOptions& options) {
   command
-      .add_option("--field", options.fields,
-                  "poly:a0,a1,a2,.. | sin:k | sin:A,k,phi | exp:k | tanh:k,x0 | runge; may be repeated")
+      .add_option(
+          "--field", options.fields,
+          "poly:a0,a1,a2,.. | sin:k | sin:A,k,phi | exp:k | tanh:k,x0 | runge | a formula in X, \"sin(3*X)*X\"; may be repeated")
       ->allow_extra_args(false)
       ->capture_default_str();
 }
@@ -112,11 +166,27 @@ void add_method_options(CLI::App& command, OnedOptions& options) {
       ->capture_default_str();
 }
 
+namespace {
+
+/// The entry of a list of one, or the list.
+template <class T>
+nlohmann::ordered_json one_or_all(const std::vector<T>& list) {
+  return list.size() == 1 ? nlohmann::ordered_json(list.front()) : nlohmann::ordered_json(list);
+}
+
+}  // namespace
+
 nlohmann::ordered_json parameters_of(const OnedOptions& options) {
   const oned::Discretisation d = options.discretisation();
-  nlohmann::ordered_json result{{"length", d.length}, {"layout", options.layout}, {"jitter", d.jitter},
-                                {"seed", d.seed},     {"kernel", d.kernel},       {"form", options.form}};
-  result[d.radius.fixed ? "radius" : "radius_over_dx"] = d.radius.value;
+  nlohmann::ordered_json result{{"length", d.length},
+                                {"layout", options.layout},
+                                {"jitter", one_or_all(options.jitter)},
+                                {"seed", d.seed},
+                                {"kernel", one_or_all(options.kernel)},
+                                {"form", options.form}};
+  std::vector<double> radii;
+  for (const oned::Radius& radius : options.radii()) radii.push_back(radius.value);
+  result[d.radius.fixed ? "radius" : "radius_over_dx"] = one_or_all(radii);
   return result;
 }
 

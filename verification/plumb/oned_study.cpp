@@ -69,10 +69,9 @@ std::string_view status_of(const std::vector<oned::StudyFit>& fits) {
 }
 
 /// The warnings of all levels, each text once.
-std::vector<std::string> study_warnings(const OnedOptions& options,
+std::vector<std::string> study_warnings(const OnedOptions& options, oned::Discretisation level,
                                         const std::vector<oned::TestField>& fields) {
   std::vector<std::string> all;
-  oned::Discretisation level = options.discretisation();
   for (const Index n : options.n) {
     level.n = n;
     for (const auto& text : oned::warnings(level, fields))
@@ -86,29 +85,45 @@ int study(const Session& session, OnedOptions options, const SittingOptions& whe
   const auto fields = options.parsed_fields();
   double particles = 0;
   for (const Index n : options.n) particles += static_cast<double>(n);
+  const auto variants = options.variants();
   Progress progress("oned study", session.progress());
-  const auto result =
+  const auto studies =
       in_one_sitting(session, where, {}, {parameters_of(options).dump()}, [&](Sitting& sitting) {
-        sitting.tell(particles * static_cast<double>(fields.size() * options.methods().size()),
-                     told(progress));
-        return oned::refine(options.discretisation(), options.n, fields, options.methods(), sitting);
+        sitting.tell(
+            particles * static_cast<double>(fields.size() * options.methods().size() * variants.size()),
+            told(progress));
+        std::vector<std::pair<std::string, oned::RefinementStudy>> all;
+        for (const OnedVariant& variant : variants)
+          all.emplace_back(variant.named(""), oned::refine(variant.discretisation, options.n, fields,
+                                                           options.methods(), sitting));
+        return all;
       });
   progress.finish();
-  warn(session, study_warnings(options, fields));
   Json rows = Json::array(), fits = Json::array();
-  for (const auto& r : result.rows) rows.push_back(study_row(r));
-  session.write_table(rows);
   std::vector<FitLine> lines;
-  for (const auto& f : result.fits) {
-    fits.push_back(study_fit(f));
-    lines.push_back({fmt::format("{} {} {} {}", f.field, f.estimator, name_of(f.pair), f.norm), f.fit,
-                     std::nullopt, std::string(name_of(f.trend))});
+  std::vector<oned::StudyFit> judged;
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    warn(session, study_warnings(options, variants[v].discretisation, fields));
+    const oned::RefinementStudy& study = studies[v].second;
+    for (const auto& r : study.rows) {
+      rows.push_back(study_row(r));
+      rows.back().update(variants[v].keys);
+    }
+    for (const auto& f : study.fits) {
+      fits.push_back(study_fit(f));
+      fits.back().update(variants[v].keys);
+      lines.push_back(
+          {variants[v].named(fmt::format("{} {} {} {}", f.field, f.estimator, name_of(f.pair), f.norm)),
+           f.fit, std::nullopt, std::string(name_of(f.trend))});
+      judged.push_back(f);
+    }
   }
-  const std::string_view status = status_of(result.fits);
+  session.write_table(rows);
+  const std::string_view status = status_of(judged);
   session.text() << '\n' << fits_text(lines) << "status: " << status << '\n';
   session.write_json(
       {{"parameters", parameters_of(options)}, {"rows", rows}, {"fits", fits}, {"status", status}});
-  draw(session, study_picture(result));
+  draw(session, study_picture(studies));
   return exit_code_of(status);
 }
 
@@ -122,7 +137,7 @@ void add_oned_study(CLI::App& group, Session& session) {
       {"study", "error under refinement, with fitted orders",
        "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160 --estimator improved --pair W1 --json -"},
       {.table = true, .plot = true}, [&session, options, where] { return study(session, *options, *where); });
-  add_cloud_options(command, *options, true);
+  add_cloud_options(command, *options, {.n = true, .variants = true});
   add_field_option(command, *options);
   add_method_options(command, *options);
   add_sitting_options(command, *where);

@@ -78,8 +78,16 @@ void to_file(const std::string& file, const std::function<void(const WritePiece&
 
 }  // namespace
 
-void write_rows(const Session& session, Json result, const Rows& rows) {
+void show_rows(const Session& session, const Rows& rows) {
   if (session.text().rdbuf() != nullptr) show(session.text(), rows);
+}
+
+void write_rows(const Session& session, Json result, const Rows& rows) {
+  show_rows(session, rows);
+  write_files(session, std::move(result), rows);
+}
+
+void write_files(const Session& session, Json result, const Rows& rows) {
   if (!session.csv.empty()) to_file(session.csv, [&](const WritePiece& write) { write_csv(rows, write); });
   if (session.json.empty()) return;
   result["rows"] = Json::array();

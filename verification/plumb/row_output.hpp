@@ -16,4 +16,8 @@ struct Rows {
 /// as Session::write_table and Session::write_json.
 void write_rows(const Session& session, nlohmann::ordered_json result, const Rows& rows);
 
+/// The two halves of write_rows: for people, and to --csv and --json.
+void show_rows(const Session& session, const Rows& rows);
+void write_files(const Session& session, nlohmann::ordered_json result, const Rows& rows);
+
 }  // namespace plumb::app
