@@ -57,7 +57,8 @@ TestField parse_field(std::string_view given) {
                                     ? std::vector<double>{}
                                     : parse_numbers(text.substr(colon + 1), text);
   const std::string name(text);
-  if (colon == std::string_view::npos && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+  if (!text.empty() && colon == std::string_view::npos &&
+      std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     return {name, Formula{Expression(name, 1, "field")}};
   if (kind == "poly") {
     if (p.empty()) throw wrong_count(text, 0, "poly:a0,a1,a2,.. for a0 + a1 X + a2 X^2 + ..");
