@@ -126,15 +126,16 @@ CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& tex
   return command;
 }
 
-CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text) {
+CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text,
+                            std::function<int()> alone) {
   CLI::App& group = *parent.add_subcommand(text.name, text.description);
   group.footer("Example: " + text.example);
-  group.final_callback([&session, &group] {
-    if (!group.get_subcommands().empty()) return;
-    session.action = [&group] {
-      std::cout << group.help("plumb");
-      return 0;
-    };
+  const auto say_help = [&group] {
+    std::cout << group.help("plumb");
+    return 0;
+  };
+  group.final_callback([&session, &group, action = alone ? std::move(alone) : say_help] {
+    if (group.get_subcommands().empty()) session.action = action;
   });
   return group;
 }

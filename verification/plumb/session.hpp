@@ -78,7 +78,8 @@ inline constexpr const char* shared_options = "Options of all commands";
 CLI::App& add_command(CLI::App& parent, Session& session, const CommandText& text, Makes makes,
                       std::function<int()> action);
 
-/// Adds a group of subcommands ("oned"). Called without one of them, it prints its help.
-CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text);
+/// Adds a group of subcommands ("oned"). Called without one of them, it runs `alone`, or prints its help.
+CLI::App& add_command_group(CLI::App& parent, Session& session, const CommandText& text,
+                            std::function<int()> alone = {});
 
 }  // namespace plumb::app

@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
+#include "lib/output/file.hpp"
 #include "oned/explorer.hpp"
 #include "oned/response.hpp"
 #include "verification/plumb/commands.hpp"
 #include "verification/plumb/drawing.hpp"
 #include "verification/plumb/oned_account.hpp"
 #include "verification/plumb/oned_options.hpp"
+#include "verification/plumb/oned_page.hpp"
 #include "verification/plumb/oned_pictures.hpp"
 #include "verification/plumb/oned_profile.hpp"
 #include "verification/plumb/oned_study.hpp"
@@ -245,11 +247,25 @@ void add_response(CLI::App& group, Session& session) {
 
 }  // namespace
 
-/// `plumb oned`: the one-dimensional study of gradient estimates.
+/// `plumb oned`: kernel corrections and gradient estimates in one dimension. Alone it makes its page.
 void add_oned(CLI::App& program, Session& session) {
+  const auto page = std::make_shared<std::string>("oned.html");
+  const auto alone = [page] {
+    replace_file(*page, explorer_page());
+    std::cout << explorer_overview()
+              << fmt::format("{}: the explorer, to be opened in a browser. See also: plumb oned --help\n",
+                             *page);
+    return 0;
+  };
   CLI::App& group = add_command_group(program, session,
                                       {"oned", "gradient estimates and kernel corrections in one dimension",
-                                       "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160"});
+                                       "plumb oned study --field poly:1,0,0,1 --n 20,40,80,160"},
+                                      alone);
+  group
+      .add_option("--page", *page,
+                  "without a command: where the explorer goes, one page with everything in it")
+      ->type_name("FILE")
+      ->capture_default_str();
   add_kernels(group, session);
   add_correction(group, session);
   add_function(group, session);
