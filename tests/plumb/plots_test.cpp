@@ -153,6 +153,18 @@ TEST(Plots, OfStudies) {
                                    {"Laplacian, inside", "laplacian_inside"},
                                    {"F, boundary", "f_boundary"}})
     expect_series(operators, label, "d", key, json::object(), "levels");
+  const Drawing statics = drawn_by(
+      "static " + studies + "static_plate.toml --set study.spacings=[0.5,0.4,0.25] --set study.name=plate");
+  expect_axes(statics, "plate: error of the equilibrium", "spacing [m]", "relative error");
+  for (const auto& [label, norm] :
+       {std::pair("L2, nodal", "l2"), {"H1, nodal", "h1"}, {"max, nodal", "linf"}})
+    expect_series(statics, label, "d", std::string("relative_") + norm, json::object(), "levels");
+  const Drawing edges =
+      drawn_by("stability " PLUMBLINE_SOURCE_DIR
+               "/verification/stability/small-motion.toml --cache '' --set stability.values=[0.9,1.2] "
+               "--set stability.tolerance=0.5");
+  expect_axes(edges, "free plate: cfl over beta, small motion", "method.beta", "largest stable cfl");
+  expect_series(edges, "verlet, standard", "x", "limit", {{"variant", "verlet, standard"}});
   const Drawing temporal =
       drawn_by("mms " PLUMBLINE_SOURCE_DIR "/tests/plumb/temporal_floor.toml --temporal");
   expect_axes(temporal, "temporal floor: error of the time steps at d = 0.25 m", "time step [s]",
@@ -162,6 +174,20 @@ TEST(Plots, OfStudies) {
     const std::string integrator = label.substr(0, label.find(':'));
     expect_series(temporal, label, "dt", "l2", {{"integrator", integrator}});
   }
+}
+
+/// A body in the plane: a square for each particle, and the stress in the unit of its size.
+TEST(Plots, OfABody) {
+  const test::TemporaryFolder folder;
+  const auto outcome = test::run_shell(
+      "cd " + folder.path().string() +
+      " && " PLUMB_EXECUTABLE " run " PLUMBLINE_SOURCE_DIR
+      "/verification/scenes/swinging-plate.toml --quiet --set body.spacing=0.2 --out a --plot a.svg --csv a.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.error;
+  const std::string picture = test::content_of(folder / "a.svg"), table = test::content_of(folder / "a.csv");
+  EXPECT_NE(picture.find("swinging plate at t = "), std::string::npos);
+  EXPECT_NE(picture.find("von Mises stress [kPa]"), std::string::npos);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 11 * 11 + 1);
 }
 
 TEST(Plots, OfTablesAndPoints) {

@@ -23,11 +23,14 @@ inline std::vector<std::string> listed(const std::string& help, const std::strin
 /// All subcommands as the help names them, "oned study" among them.
 inline std::vector<std::string> commands() {
   std::vector<std::string> all;
-  for (const auto& name : listed(run_plumb("").out, "Commands:\n")) {
-    all.push_back(name);
-    for (const auto& member : listed(run_plumb(name + " --help").out, "Subcommands:\n"))
-      all.push_back(fmt::format("{} {}", name, member));
-  }
+  const std::string help = run_plumb("").out;
+  for (const char* heading :
+       {"\nCommands:\n", "\nCommands for studies:\n", "\nCommands about Plumbline itself:\n"})
+    for (const auto& name : listed(help, heading)) {
+      all.push_back(name);
+      for (const auto& member : listed(run_plumb(name + " --help").out, "Subcommands:\n"))
+        all.push_back(fmt::format("{} {}", name, member));
+    }
   return all;
 }
 

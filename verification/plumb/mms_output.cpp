@@ -154,4 +154,22 @@ reports::Picture study_picture(const Study& study, const mms::StudyResult& resul
   return picture;
 }
 
+reports::Picture static_picture(const Study& study, const mms::StaticResult& result) {
+  reports::Picture picture;
+  picture.title = fmt::format("{}: error of the equilibrium", study.name);
+  picture.x = {"spacing", "m", reports::Scale::log};
+  picture.y = {"relative error", "", reports::Scale::log};
+  picture.labels = reports::Labels::legend;
+  for (const mms::NormName& norm : mms::static_norms()) {
+    reports::Series series;
+    series.label = norm_text(std::string(norm.name));
+    for (const mms::StaticLevel& level : result.levels) {
+      series.x.push_back(level.spacing);
+      series.y.push_back(level.relative(norm.value));
+    }
+    picture.series.push_back(series);
+  }
+  return picture;
+}
+
 }  // namespace plumb::app

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mms/check.hpp"
+#include "mms/static_study.hpp"
 #include "mms/study.hpp"
 #include "reports/picture.hpp"
 
@@ -26,5 +27,7 @@ std::string text_of(const std::vector<mms::StudyFit>& fits);
 
 /// Relative errors over spacing, one line per norm, with the triangle of the declared order.
 reports::Picture study_picture(const Study& study, const mms::StudyResult& result);
+/// Relative errors of an equilibrium over the spacing.
+reports::Picture static_picture(const Study& study, const mms::StaticResult& result);
 
 }  // namespace plumb::app

@@ -57,8 +57,7 @@ std::vector<std::pair<std::string, std::string>> first_calls() {
   return {{"plumb new scene first.toml", "writes a small scene, every setting explained in it"},
           {"plumb explain first.toml", "what it solves, with which equations, and what that costs"},
           {"plumb run first.toml", "runs it: energies, momenta, particles for ParaView"},
-          {"plumb oned study --field sin:3 --estimator standard,improved",
-           "errors and orders of gradients in 1D"},
+          {"plumb oned", "the explorer of kernel corrections in 1D: a page to play with"},
           {"plumb mms --check swinging-plate", "a manufactured solution, its loads derived twice"},
           {"plumb list", "what scenes can name: kernels, gradients, materials .., and scenes to start from"}};
 }
@@ -82,14 +81,35 @@ std::vector<CommandPath> every_command(const CLI::App& program) {
   return all;
 }
 
+namespace {
+
+/// Who a command is for.
+enum class Group { first, study, house };
+
+Group group_of(const std::string& command) {
+  const auto is_one_of = [&command](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), command) != names.end();
+  };
+  if (is_one_of({"new", "explain", "run", "list", "oned", "mms", "judge"})) return Group::first;
+  if (is_one_of({"bench", "claims", "completion", "faults", "manual", "refusals"})) return Group::house;
+  return Group::study;
+}
+
+}  // namespace
+
 std::string first_steps(const CLI::App& program) {
   std::string text = program.get_description() + "\n\nTry first:\n";
   for (const auto& [line, meaning] : first_calls()) text += fmt::format("  {}\n      {}\n", line, meaning);
   std::size_t width = 0;
   for (const auto& name : command_names(program)) width = std::max(width, name.size());
-  text += "\nCommands:\n";
-  for (const CLI::App* command : program.get_subcommands(any))
-    text += fmt::format("  {:<{}}  {}\n", command->get_name(), width, command->get_description());
+  for (const auto& [heading, group] :
+       {std::pair("Commands", Group::first), std::pair("Commands for studies", Group::study),
+        std::pair("Commands about Plumbline itself", Group::house)}) {
+    text += fmt::format("\n{}:\n", heading);
+    for (const CLI::App* command : program.get_subcommands(any))
+      if (group_of(command->get_name()) == group)
+        text += fmt::format("  {:<{}}  {}\n", command->get_name(), width, command->get_description());
+  }
   return text +
          "\nplumb help COMMAND explains one, with an example; plumb manual | man -l - explains all.\n"
          "plumb --version says what this build is.\n";

@@ -19,7 +19,7 @@ void add_run(CLI::App& program, Session& session) {
   CLI::App& command = add_command(
       program, session,
       {"run", "run a scene", "plumb run verification/scenes/swinging-plate.toml --set body.spacing=0.1"},
-      {.table = true}, action);
+      {.table = true, .plot = true}, action);
   add_scene_options(command, options->scene);
   command
       .add_option("--out", options->folder, "folder for series, particles and summary (default: out/NAME)")

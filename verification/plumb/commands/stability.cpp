@@ -15,6 +15,7 @@
 #include "lib/stability/edge.hpp"
 #include "lib/stability/stability_study.hpp"
 #include "verification/plumb/commands.hpp"
+#include "verification/plumb/drawing.hpp"
 #include "verification/plumb/provenance.hpp"
 #include "verification/plumb/run/interrupt.hpp"
 #include "verification/plumb/run/kept_folder.hpp"
@@ -159,6 +160,31 @@ void require_some(const std::vector<Cell>& cells) {
     throw InputError("no scene of the study can be built", cells.front().trials.front().second.refused, "");
 }
 
+/// The largest stable value (or the stretch that was reached) over the other parameter, a line for each variant. Values
+/// that are no numbers stand side by side.
+reports::Picture edge_picture(const StabilityStudy& study, const std::vector<Cell>& cells) {
+  const bool pulled = study.parameter == EdgeParameter::stretch;
+  reports::Picture picture;
+  picture.title = study.name;
+  picture.x = {study.over.empty() ? "variant" : study.over};
+  picture.y = {fmt::format("largest {} {}", pulled ? "reached" : "stable", name_of(study.parameter))};
+  picture.labels = reports::Labels::legend;
+  for (const Variant& variant : study.variants) {
+    reports::Series series;
+    series.label = variant.name;
+    for (const Cell& cell : cells) {
+      if (cell.variant != &variant) continue;
+      const Json row = row_of(cell, study.parameter);
+      if (!row["limit"].is_number()) continue;
+      series.x.push_back(row["x"].is_number() ? row["x"].get<double>()
+                                              : 1 + static_cast<double>(series.x.size()));
+      series.y.push_back(row["limit"].get<double>());
+    }
+    if (!series.x.empty()) picture.series.push_back(std::move(series));
+  }
+  return picture;
+}
+
 int stability(const Session& session, const StabilityOptions& options) {
   const StabilityStudy study = read_stability_study(options.study, options.overrides);
   if (!options.cache.empty()) {
@@ -193,6 +219,7 @@ int stability(const Session& session, const StabilityOptions& options) {
          {"hourglass", study.bounds.hourglass ? Json(*study.bounds.hourglass) : Json()}}},
        {"status", whole ? "completed" : "interrupted"},
        {"rows", rows}});
+  if (whole) draw(session, edge_picture(study, map.cells));
   return whole ? 0 : interrupt_exit_code();
 }
 
@@ -201,11 +228,11 @@ int stability(const Session& session, const StabilityOptions& options) {
 /// `plumb stability STUDY.toml`: the edge of stability of one parameter over a second one.
 void add_stability(CLI::App& program, Session& session) {
   const auto options = std::make_shared<StabilityOptions>();
-  CLI::App& command =
-      add_command(program, session,
-                  {"stability", "bisects a parameter to the edge of stability, over a second one",
-                   "plumb stability verification/stability/small-motion.toml"},
-                  {.table = true}, [&session, options] { return stability(session, *options); });
+  CLI::App& command = add_command(
+      program, session,
+      {"stability", "bisects a parameter to the edge of stability, over a second one",
+       "plumb stability verification/stability/small-motion.toml"},
+      {.table = true, .plot = true}, [&session, options] { return stability(session, *options); });
   command.add_option("STUDY", options->study, "the study file (.toml)")->required()->type_name("FILE");
   command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
       ->type_name("section.key=value");

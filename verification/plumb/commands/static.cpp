@@ -9,6 +9,7 @@
 #include "mms/manufactured.hpp"
 #include "mms/static_study.hpp"
 #include "verification/plumb/commands.hpp"
+#include "verification/plumb/drawing.hpp"
 #include "verification/plumb/fit_text.hpp"
 #include "verification/plumb/mms_output.hpp"
 #include "verification/plumb/run/sittings.hpp"
@@ -71,6 +72,7 @@ int static_action(const Session& session, const StaticOptions& options) {
                       {"units", units},
                       {"notes", study.unused},
                       {"status", result.status}});
+  draw(session, static_picture(study, result));
   return exit_code_of(result.status);
 }
 
@@ -79,11 +81,11 @@ int static_action(const Session& session, const StaticOptions& options) {
 /// `plumb static`: a manufactured field as an equilibrium, and its vibration, with the assembled stiffness.
 void add_static(CLI::App& program, Session& session) {
   const auto options = std::make_shared<StaticOptions>();
-  CLI::App& command =
-      add_command(program, session,
-                  {"static", "convergence of a linear equilibrium and of a frequency",
-                   "plumb static verification/studies/static_plate.toml --json -"},
-                  {.table = true}, [&session, options] { return static_action(session, *options); });
+  CLI::App& command = add_command(program, session,
+                                  {"static", "convergence of a linear equilibrium and of a frequency",
+                                   "plumb static verification/studies/static_plate.toml --json -"},
+                                  {.table = true, .plot = true},
+                                  [&session, options] { return static_action(session, *options); });
   command.add_option("study", options->study, "study file (TOML)")->required();
   command.add_option("--set", options->overrides, "change one value of the study; may be repeated")
       ->type_name("section.key=value");

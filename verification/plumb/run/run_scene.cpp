@@ -8,6 +8,8 @@
 
 #include "lib/output/file.hpp"
 #include "lib/run/frame.hpp"
+#include "verification/plumb/body_plot.hpp"
+#include "verification/plumb/drawing.hpp"
 #include "verification/plumb/provenance.hpp"
 #include "verification/plumb/run/interrupt.hpp"
 #include "verification/plumb/run/result_folder.hpp"
@@ -116,6 +118,7 @@ int run_into(ResultFolder* folder, const Session& session, const Scene& scene, c
   }
   session.write_json(json);
   if (!session.csv.empty()) session.write_csv(Frame<d>(simulation.snapshot()).table());
+  if (draws(session)) draw(session, body_plot<d>(scene.name, simulation.snapshot(), simulation.spacing));
   return result.completed() ? 0 : result.stopped ? interrupt_exit_code() : 1;
 }
 
