@@ -56,11 +56,11 @@ std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});
 }
 std::vector<std::string> paper_names() {
-  return {"000", "002", "003", "004"};
+  return {"000", "001", "002", "003", "004"};
 }
 
 std::vector<std::string> scheme_names() {
-  return {"tlsph", "implicit", "mixed", "updated", "element"};
+  return {"tlsph", "implicit", "mixed", "updated", "eulerian", "element"};
 }
 
 std::vector<std::string> wave_speed_names() {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/schemes/updated/pair_row.hpp"
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/pair_row.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "lib/schemes/updated/updated.hpp"
 
 /// One step of the balance that keeps both momenta: leapfrog with the geometry of x^{n+1/2} for the forces

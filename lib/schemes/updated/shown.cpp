@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "lib/schemes/updated/updated.hpp"
 
 /// What the scheme shows of its state: of the end of the step, to which the conservative balance moves stress

@@ -1,24 +1,12 @@
 #include "lib/schemes/updated/updated.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "lib/geometry/position_text.hpp"
-#include "lib/schemes/updated/pair_row.hpp"
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/pair_row.hpp"
+#include "lib/schemes/point_fields.hpp"
 
 namespace plumb {
-namespace {
-
-/// Two particles nearer than this, in spacings, are at one place: their pair has no direction.
-constexpr double one_place = 1e-8;
-/// M of particles whose neighbours span the space has a determinant above this, relative to its trace.
-constexpr double spans = 1e-6;
-
-}  // namespace
-
 template <int d>
 Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions)
     : specimen_(std::move(specimen)),
@@ -55,18 +43,10 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   next_ = make_state();
   neighbours_.update(x_);
   for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  refuse_one_place<d>(*neighbours_.list(), x_, cloud.spacing);
   for (Index i = 0; i < n; ++i) {
-    for (const auto j : neighbours_.list()->of(i))
-      if ((x_[i] - x_[j]).norm() < one_place * cloud.spacing)
-        throw InputError(fmt::format("particles {} and {} are at one place", i, j),
-                         "a pair without a direction has no force", "move one of them");
-    const Mat<d>& M = M_[i];
-    const double det = M.determinant();
-    if (!(det > spans * std::pow(M.trace() / d, d)))
-      throw InputError(fmt::format("the neighbours of particle {} at {} do not span the space", i,
-                                   position_text<d>(x_[i])),
-                       "its velocity gradient is not defined", "use a smaller spacing");
-    least_det_.push_back(options_.guard * det);
+    require_span<d>(M_[i], i, x_[i]);
+    least_det_.push_back(options_.guard * M_[i].determinant());
   }
 }
 
@@ -119,11 +99,7 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
   neighbours_.update(x_);
   for_rows(pairs(), Seen::velocities, [&](Index i, const PairRow<d>& row) {
     const Mat<d> F = Mat<d>::Identity() + row.minus_sum(row.v) * row.minus_sum(row.r).inverse();
-    Mat<3> whole = Mat<3>::Identity();
-    whole.template topLeftCorner<d, d>() = F;
-    const LogarithmicStrain strain(whole * whole.transpose());
-    const Mat<3> e = strain.tensor(strain.strain);
-    Point point{2 * law_.shear * law_.deviator(e.template topLeftCorner<d, d>())};
+    Point point{law_.deviator_of(F)};
     law_.give_back(point);
     store(point, state, i);
     state.density[0][i] = law_.density / F.determinant();

@@ -2,7 +2,7 @@
 // errors.
 #include <gtest/gtest.h>
 
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "tests/support/updated.hpp"
 
 namespace plumb::testing {

@@ -1,8 +1,11 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "lib/core/error.hpp"
 #include "lib/material/laws.hpp"
@@ -23,14 +26,22 @@ Mat<d> rotation_of(const Mat<d>& spin, double dt) {
   return Mat<d>::Identity() + first * turn + second * turn * turn;
 }
 
-/// Stress by rates, (4), (8) and (14) of paper 002: linear pressure of the density, a deviator that turns
-/// with the body, and radial return of its elastic trial to a yield stress. The elastic laws of the catalogue
-/// give their bulk and shear modulus, with which they agree for small strains.
+/// The turn (I - W/2)^-1 (I + W/2) of a skew increment W of displacements with respect to the middle of a
+/// step: it is exact where the step is a turn, Hughes and Winget (1980).
+template <int d>
+Mat<d> turn_of(const Mat<d>& W) {
+  const Mat<d> I = Mat<d>::Identity();
+  return (I - 0.5 * W).inverse() * (I + 0.5 * W);
+}
+
+/// Stress by rates, (4), (8) and (14) of paper 002 and (12) to (14) of paper 001: linear pressure of the
+/// density, a deviator that turns with the body, and radial return of its elastic trial to a yield stress. The
+/// elastic laws of the catalogue give their bulk and shear modulus, with which they agree for small strains.
 template <int d>
 class RateLaw {
  public:
   RateLaw(const LawChoice& choice, const Elastic& elastic, bool plane_strain, bool jaumann,
-          std::optional<double> tension_limit)
+          std::optional<double> tension_limit, std::string_view scheme = "updated")
       : bulk(elastic.bulk_modulus()),
         shear(elastic.shear_modulus()),
         density(elastic.density),
@@ -38,13 +49,13 @@ class RateLaw {
         jaumann_(jaumann),
         least_pressure_(tension_limit ? -*tension_limit : -std::numeric_limits<double>::infinity()) {
     if (choice.plane == Plane::stress)
-      throw InputError("scheme = \"updated\" under plane stress", "its rates are those of plane strain",
-                       "leave out [material] plane");
+      throw InputError(fmt::format("scheme = \"{}\" under plane stress", scheme),
+                       "its rates are those of plane strain", "leave out [material] plane");
     require_law(choice, elastic);
     if (choice.name == J2Logarithmic::name) {
       yield_.emplace(make_law<J2Logarithmic>(elastic, choice));
     } else if (has_history(choice.name) || !parameters_of_law(choice.name).empty()) {
-      throw InputError("scheme = \"updated\" with a body of \"" + choice.name + "\"",
+      throw InputError(fmt::format("scheme = \"{}\" with a body of \"{}\"", scheme, choice.name),
                        "its stress follows rates with one bulk and one shear modulus",
                        "use model = \"linear-elastic\" or \"j2-logarithmic\"");
     }
@@ -91,6 +102,25 @@ class RateLaw {
     }
     point.s += 2 * shear * dt * deviator(0.5 * (L + L.transpose()));
     give_back(point);
+  }
+  /// Moves a point on by an increment of displacements with respect to the middle of a step. Half of the
+  /// strain acts before its turn and half after it: order 2 where strain and turn go together. Returns the
+  /// deviator of before, turned.
+  Mat<d> advance_by(Point& point, const Mat<d>& increment) const {
+    const Mat<d> half = shear * deviator(0.5 * (increment + increment.transpose()));
+    const Mat<d> R = turn_of<d>(0.5 * (increment - increment.transpose()));
+    const Mat<d> turned = R * point.s * R.transpose();
+    point.s = turned + R * half * R.transpose() + half;
+    give_back(point);
+    return turned;
+  }
+  /// The deviator of Hencky's law [Pa] at a deformation F, without yielding.
+  Mat<d> deviator_of(const Mat<d>& F) const {
+    Mat<3> whole = Mat<3>::Identity();
+    whole.template topLeftCorner<d, d>() = F;
+    const LogarithmicStrain strain(whole * whole.transpose());
+    const Mat<3> e = strain.tensor(strain.strain);
+    return 2 * shear * deviator(e.template topLeftCorner<d, d>());
   }
   /// Radial return (14) of an elastic trial.
   void give_back(Point& point) const {
