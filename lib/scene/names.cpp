@@ -5,7 +5,7 @@
 
 #include "lib/geometry/shape.hpp"
 #include "lib/kernel/catalogue.hpp"
-#include "lib/material/catalogue.hpp"
+#include "lib/material/rate_models.hpp"
 #include "lib/scene/scene.hpp"
 #include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
 #include "lib/schemes/tlsph/bonds/momentum_catalogue.hpp"
@@ -67,7 +67,7 @@ std::vector<std::string> wave_speed_names() {
   return {"linear", "stretch", "stretch-inverse"};
 }
 std::vector<std::string> material_names() {
-  return names_of(MaterialCatalogue{});
+  return law_names();
 }
 std::vector<std::string> plane_names() {
   return {"strain", "stress"};

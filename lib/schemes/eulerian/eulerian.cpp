@@ -50,7 +50,7 @@ EulerianState<d> Eulerian<d>::make_state() const {
   state.u = make_field(d);
   state.density = make_field(1);
   state.stress = make_field(d * d);
-  if (law_.yields()) state.plastic = make_field(2);
+  state.plastic = make_field(static_cast<int>(law_.kept().size()));
   state.acceleration = make_field(d);
   state.force = make_field(d);
   if (options_.controls_hourglass()) state.hourglass = make_field(d);
@@ -74,6 +74,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
   const Cloud<d>& cloud = specimen_.cloud;
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
+    store(law_.at_rest(), state, i);
     set_tensor<d>(state.before, i, Mat<d>::Identity());
     state.volume[0][i] = cloud.V[i];
   }
@@ -86,10 +87,11 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
     const Mat<d> F = reference_->gradient(x_, i);
     if (keeps_F()) set_tensor<d>(state.F, i, F);
     if (motion.u.empty()) continue;
-    Point point{law_.deviator_of(F)};
-    law_.give_back(point);
-    store(point, state, i);
     state.density[0][i] = law_.density / F.determinant();
+    Point point = law_.at_rest();
+    point.s = law_.deviator_of(F);
+    law_.give_back(point, 0, state.density[0][i]);
+    store(point, state, i);
   }
   for (Index i = 0; i < count(); ++i) V_[i] = mass_[i] / state.density[0][i];
   if (neighbours_.update(x_)) {
@@ -108,19 +110,13 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
 
 template <int d>
 typename RateLaw<d>::Point Eulerian<d>::point_of(const State& state, Index i) const {
-  Point point{tensor_at<d>(state.stress, i)};
-  if (!law_.yields()) return point;
-  point.plastic = state.plastic[0][i];
-  point.work = state.plastic[1][i];
-  return point;
+  return law_.recall(tensor_at<d>(state.stress, i), state.plastic, i);
 }
 
 template <int d>
 void Eulerian<d>::store(const Point& point, State& state, Index i) const {
   set_tensor<d>(state.stress, i, point.s);
-  if (!law_.yields()) return;
-  state.plastic[0][i] = point.plastic;
-  state.plastic[1][i] = point.work;
+  law_.keep(point, state.plastic, i);
 }
 
 template <int d>
@@ -133,6 +129,16 @@ std::optional<Trouble> Eulerian<d>::find_trouble(const State& state) const {
     if (!(state.density[0][i] > 0)) return Trouble{i, "density", state.density[0][i]};
   }
   return std::nullopt;
+}
+
+template <int d>
+double Eulerian<d>::damage_of(const State& state, Index i) const {
+  return state.plastic.components() > 3 ? state.plastic[3][i] : 0;
+}
+
+template <int d>
+double Eulerian<d>::pressure_of(const State& state, Index i) const {
+  return law_.pressure(state.density[0][i], damage_of(state, i));
 }
 
 template <int d>

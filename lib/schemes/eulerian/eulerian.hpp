@@ -64,6 +64,8 @@ class Eulerian {
   bool keeps_F() const { return options_.controls_hourglass() || actions_.needs_F(); }
   Point point_of(const State& state, Index i) const;
   void store(const Point& point, State& state, Index i) const;
+  double damage_of(const State& state, Index i) const;
+  double pressure_of(const State& state, Index i) const;  ///< [Pa]; a failed particle bears no tension
   std::optional<Trouble> find_trouble(const State& state) const;
 
   /// Makes the tables of the reference that a state carries, unless they are made.

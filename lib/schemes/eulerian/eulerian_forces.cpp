@@ -22,8 +22,7 @@ template <int d>
 void Eulerian<d>::stress_forces(State& state) {
   const double epsilon = options_.artificial_stress;
   for_particles(count(), [&](Index i) {
-    const Mat<d> stress =
-        tensor_at<d>(state.stress, i) - law_.pressure(state.density[0][i]) * Mat<d>::Identity();
+    const Mat<d> stress = tensor_at<d>(state.stress, i) - pressure_of(state, i) * Mat<d>::Identity();
     const double rho = state.density[0][i];
     const Mat<d> normal = options_.printed() ? Mat<d>(Mat<d>::Identity() / (rho * rho * shepard_[i])) : L_[i];
     S_[i] = (stress + extra_[i]) * normal;
@@ -57,6 +56,7 @@ void Eulerian<d>::hourglass_forces(State& state) {
   const bool as_printed = options_.misprinted("33");
   const double viscous = (as_printed ? -1 : 1) * options_.viscous() * law_.sound_speed() * h_;
   const double far = 2 / kernel_.per_reach;  // pairs that were farther apart at first are none of the body
+  const auto failed = [&](Index i) { return law_.failed(damage_of(state, i)); };
   for_particles(count(), [&](Index i) { S_[i] = 0.5 * tensor_at<d>(state.F, i); });
   for_rows(pairs(), viscous != 0 ? Seen::openings : Seen::positions, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero();
@@ -64,7 +64,7 @@ void Eulerian<d>::hourglass_forces(State& state) {
       const Index j = row.other[m];
       const Vec<d> X = specimen_.cloud.X[i] - specimen_.cloud.X[j], r = row.r_of(m);
       const double length = X.squaredNorm(), square = row.distance[m] * row.distance[m];
-      if (length > far * far) continue;
+      if (length > far * far || failed(i) || failed(j)) continue;
       const Vec<d> error = (S_[i] + S_[j]) * X - r;  // (31)
       const double along = error.dot(r) / square;
       if (stiff != 0) force += (stiff * V_[j] * kernel_.value(row.distance[m]) / length * along) * r;

@@ -72,9 +72,9 @@ void Eulerian<d>::follow_rates(const State& state, double dt) {
     const double swell = 0.5 * increment.trace(), before = state.density[0][i];
     next_.density[0][i] = before * ((1 - swell) / (1 + swell)) + (diffuses ? dt * rate_[i] : 0);
     Point point = point_of(state, i);
-    const Mat<d> turned = law_.advance_by(point, increment);
+    const Mat<d> turned = law_.advance_by(point, increment, dt, next_.density[0][i]);
     store(point, next_, i);
-    const double p0 = law_.pressure(before), p1 = law_.pressure(next_.density[0][i]);
+    const double p0 = pressure_of(state, i), p1 = pressure_of(next_, i);
     if (damps) extra_[i] = 0.5 * (point.s - turned - (p1 - p0) * I);
     const Mat<d> mean = 0.5 * (turned + point.s - (p0 + p1) * I);
     power_[i] = V_[i] * double_dot<d>(mean, increment);

@@ -15,10 +15,7 @@ Snapshot<d> Eulerian<d>::snapshot(const State& state) {
   shown.X = specimen_.cloud.X;
   shown.mass = mass_;
   shown.more.push_back({"density drift", "", {}});
-  if (law_.yields()) {
-    shown.more.push_back({"plastic strain", "", {}});
-    shown.more.push_back({"plastic work", "J/m^3", {}});
-  }
+  for (const auto& [kept, unit] : law_.kept()) shown.more.push_back({kept, unit, {}});
   for (Index i = 0; i < count(); ++i) {
     shown.u.push_back(vector_at<d>(state.u, i));
     shown.x.push_back(shown.X[i] + shown.u.back());
@@ -29,7 +26,7 @@ Snapshot<d> Eulerian<d>::snapshot(const State& state) {
                                  : Mat<d>(reference_->gradient(shown.x, i) * tensor_at<d>(state.before, i));
     const double density = state.density[0][i], J = own.determinant();
     const Mat<d> s = tensor_at<d>(state.stress, i);
-    Mat<3> F = Mat<3>::Identity(), stress = -law_.pressure(density) * Mat<3>::Identity();
+    Mat<3> F = Mat<3>::Identity(), stress = -pressure_of(state, i) * Mat<3>::Identity();
     F.template topLeftCorner<d, d>() = own;
     stress.template topLeftCorner<d, d>() += s;
     // the deviator has no trace: what is left out of d dimensions has the rest of it

@@ -79,7 +79,7 @@ void Updated<d>::printed_rates(State& next, double dt) {
     // the sum of (15) is not corrected: -rho tr G
     next.density_rate[0][i] = -next.density[0][i] * G.trace();
     Point point = point_of(next, i);
-    law_.advance(point, L, dt);
+    law_.advance(point, L, dt, next.density[0][i]);
     store(point, next, i);
     yield_ratio_[i] = point.yield_ratio;
     next.density[0][i] += 0.5 * dt * next.density_rate[0][i];

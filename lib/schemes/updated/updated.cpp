@@ -25,6 +25,10 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   if (law_.yields() && options_.form == "eno")
     throw InputError("form = \"eno\" with a yield stress", "its force does not see the stress",
                      "use form = \"gno\"");
+  if (law_.johnson_cook() && law_.johnson_cook()->damages())
+    throw InputError("scheme = \"updated\" with damage_1",
+                     "a failed particle of that scheme would bear tension",
+                     "leave damage_1 out, or use scheme = \"eulerian\"");
   const Index n = cloud.size();
   actions_ = AppliedActions<d>(actions, cloud, Slots{n, 0, 0, 1});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
@@ -59,7 +63,7 @@ UpdatedState<d> Updated<d>::make_state() const {
   state.stress = make_field(d * d);
   state.F = make_field(d * d);
   state.gradient = make_field(d * d);
-  if (law_.yields()) state.plastic = make_field(2);
+  state.plastic = make_field(static_cast<int>(law_.kept().size()));
   if (options_.dissipation != "none") state.heat = make_field(1);
   if (options_.conservative()) return state;
   state.density_rate = make_field(1);
@@ -78,6 +82,7 @@ UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
   actions_.impose(0, state.u, state.v, true);
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
+    store(law_.at_rest(), state, i);
     set_tensor<d>(state.F, i, Mat<d>::Identity());
   }
   if (!motion.u.empty()) deform(state, motion);
@@ -99,8 +104,9 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
   neighbours_.update(x_);
   for_rows(pairs(), Seen::velocities, [&](Index i, const PairRow<d>& row) {
     const Mat<d> F = Mat<d>::Identity() + row.minus_sum(row.v) * row.minus_sum(row.r).inverse();
-    Point point{law_.deviator_of(F)};
-    law_.give_back(point);
+    Point point = law_.at_rest();
+    point.s = law_.deviator_of(F);
+    law_.give_back(point, 0, law_.density / F.determinant());
     store(point, state, i);
     state.density[0][i] = law_.density / F.determinant();
     set_tensor<d>(state.F, i, F);
@@ -109,19 +115,13 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
 
 template <int d>
 typename RateLaw<d>::Point Updated<d>::point_of(const State& state, Index i) const {
-  Point point{tensor_at<d>(state.stress, i)};
-  if (!law_.yields()) return point;
-  point.plastic = state.plastic[0][i];
-  point.work = state.plastic[1][i];
-  return point;
+  return law_.recall(tensor_at<d>(state.stress, i), state.plastic, i);
 }
 
 template <int d>
 void Updated<d>::store(const Point& point, State& state, Index i) const {
   set_tensor<d>(state.stress, i, point.s);
-  if (!law_.yields()) return;
-  state.plastic[0][i] = point.plastic;
-  state.plastic[1][i] = point.work;
+  law_.keep(point, state.plastic, i);
 }
 
 template <int d>
