@@ -1,16 +1,28 @@
 #include "lib/material/laws.hpp"
 
+#include "lib/material/rate_models.hpp"
+
 namespace plumb {
 namespace {
 
 /// Calls use(Type<M>) for the law of that name.
 template <class Use>
 void with_law(std::string_view name, Use&& use) {
-  if (!with_named(MaterialCatalogue{}, name, use))
-    throw unknown_name("material model", name, names_of(MaterialCatalogue{}));
+  if (!with_named(MaterialCatalogue{}, name, use) && !with_named(RateModels{}, name, use))
+    throw unknown_name("material model", name, law_names());
 }
 
 }  // namespace
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names = names_of(MaterialCatalogue{});
+  for (const auto& name : names_of(RateModels{})) names.emplace_back(name);
+  return names;
+}
+
+bool needs_rates(std::string_view name) {
+  return with_named(RateModels{}, name, [](auto) {});
+}
 
 std::vector<LawParameter> parameters_of_law(std::string_view name) {
   std::vector<LawParameter> all;
@@ -21,6 +33,7 @@ std::vector<LawParameter> parameters_of_law(std::string_view name) {
 }
 
 bool has_history(std::string_view name) {
+  if (needs_rates(name)) return true;
   bool history = false;
   with_law(name, [&]<class M>(Type<M>) { history = HistoryLaw<M>; });
   return history;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/material/laws.hpp"
+#include "lib/material/rate_models.hpp"
 
 namespace plumb {
 namespace {
@@ -45,6 +46,9 @@ double von_mises(const Mat<3>& sigma) {
 
 MaterialPoint make_point(const LawChoice& choice, const Elastic& elastic) {
   require_law(choice, elastic);
+  if (needs_rates(choice.name))
+    throw InputError(choice.name + " at one point", "its stress depends on the length of time steps",
+                     "run a body of scheme = \"eulerian\" or \"updated\"");
   MaterialPoint point;
   with_named(MaterialCatalogue{}, choice.name, [&]<class M>(Type<M>) {
     const M law = make_law<M>(elastic, choice);

@@ -5,7 +5,7 @@
 
 #include "lib/geometry/shape.hpp"
 #include "lib/kernel/catalogue.hpp"
-#include "lib/material/catalogue.hpp"
+#include "lib/material/rate_models.hpp"
 #include "lib/scene/scene.hpp"
 #include "lib/schemes/tlsph/bonds/estimator_catalogue.hpp"
 #include "lib/schemes/tlsph/bonds/momentum_catalogue.hpp"
@@ -56,18 +56,18 @@ std::vector<std::string> integrator_names() {
   return names_of(IntegratorCatalogue{});
 }
 std::vector<std::string> paper_names() {
-  return {"000", "002", "003", "004"};
+  return {"000", "001", "002", "003", "004"};
 }
 
 std::vector<std::string> scheme_names() {
-  return {"tlsph", "implicit", "mixed", "updated", "element"};
+  return {"tlsph", "implicit", "mixed", "updated", "eulerian", "element"};
 }
 
 std::vector<std::string> wave_speed_names() {
   return {"linear", "stretch", "stretch-inverse"};
 }
 std::vector<std::string> material_names() {
-  return names_of(MaterialCatalogue{});
+  return law_names();
 }
 std::vector<std::string> plane_names() {
   return {"strain", "stress"};

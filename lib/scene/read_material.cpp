@@ -2,6 +2,7 @@
 
 #include "lib/core/error.hpp"
 #include "lib/material/law.hpp"
+#include "lib/material/rate_models.hpp"
 #include "lib/scene/names.hpp"
 #include "lib/scene/readers.hpp"
 
@@ -63,6 +64,11 @@ MaterialChoice read_material(const Section& section, int dimension, MaterialOf o
 }
 
 void refuse_history(const Section& root, const MaterialChoice& material, const Method& method) {
+  const bool has_rates = method.scheme == "eulerian" || method.scheme == "updated";
+  if (needs_rates(material.model) && !has_rates)
+    root.section("material")
+        .fail("model", fmt::format("\"{}\" contradicts scheme = \"{}\"", material.model, method.scheme),
+              "its stress follows rates", "use scheme = \"eulerian\" or \"updated\"");
   if (!has_history(material.model) || (method.scheme != "implicit" && method.scheme != "element")) return;
   root.section("material")
       .fail("model", fmt::format("a body of \"{}\"", material.model),

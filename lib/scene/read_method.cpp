@@ -45,6 +45,12 @@ void set_paper(Method& method) {
     method.cfl = 0.9;  // of its section 8
     return;
   }
+  if (method.paper == "001") {
+    method.scheme = "eulerian";
+    method.eulerian = EulerianOptions::of_paper();
+    method.cfl = method.eulerian.cfl;
+    return;
+  }
   if (method.paper == "002") {
     method.scheme = "updated";
     method.updated = UpdatedOptions::of_paper();
@@ -99,7 +105,7 @@ void read_scheme(const Section& root, Method& method) {
     root.section("implicit")
         .fail("", fmt::format("contradicts solve = \"{}\"", method.element.solve),
               "it says how Newton's method goes", "use [element] solve = \"newton\", or leave it out");
-  for (const char* name : {"mixed", "implicit", "updated", "element"})
+  for (const char* name : {"mixed", "implicit", "updated", "eulerian", "element"})
     if (root.has(name) && method.scheme != name && !(by_newton && std::string_view(name) == "implicit"))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
@@ -113,7 +119,12 @@ void read_scheme(const Section& root, Method& method) {
     method.updated = UpdatedOptions::read(*section, method.updated);
     section->reject_unknown();
   }
-  if (method.cfl) method.mixed.cfl = method.updated.cfl = method.element.cfl = *method.cfl;
+  if (const auto section = root.optional_section("eulerian")) {
+    method.eulerian = EulerianOptions::read(*section, method.eulerian);
+    section->reject_unknown();
+  }
+  if (method.cfl)
+    method.mixed.cfl = method.updated.cfl = method.eulerian.cfl = method.element.cfl = *method.cfl;
   if (!has_own_body(method.scheme)) return;
   for (const char* name : {"jst", "hourglass", "projection", "compatible", "damping"})
     if (root.has(name))
@@ -199,7 +210,8 @@ Method read_method_section(const Section& root, const Body& body) {
 }  // namespace
 
 std::vector<std::string> method_sections() {
-  std::vector<std::string> names{"method", "compatible", "mixed", "implicit", "updated", "element"};
+  std::vector<std::string> names{"method",  "compatible", "mixed",  "implicit",
+                                 "updated", "eulerian",   "element"};
   Method method;
   for_each_part(method, [&]<class Part>(std::optional<Part>&) { names.emplace_back(Part::section); });
   return names;

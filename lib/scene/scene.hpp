@@ -14,6 +14,7 @@
 #include "lib/run/output_options.hpp"
 #include "lib/schemes/default_cfl.hpp"
 #include "lib/schemes/element/element_options.hpp"
+#include "lib/schemes/eulerian/eulerian_options.hpp"
 #include "lib/schemes/implicit/implicit_options.hpp"
 #include "lib/schemes/mixed/mixed_options.hpp"
 #include "lib/schemes/tlsph/parts/damping.hpp"
@@ -89,7 +90,7 @@ struct Compatible {
 /// the adjoint force, and beta 1.2 where a surface cuts the cloud.
 struct Method {
   std::string scheme = "tlsph";  ///< a name of scheme_names()
-  /// "000", "002", "003", "004": keys that are not given are those of that paper; empty: of no paper.
+  /// "000", "001", "002", "003", "004": keys that are not given are those of that paper; empty: of no paper.
   std::string paper;
   std::string kernel = "cubic";
   double beta = 0.9;  ///< h/d: the least neighbours with no near-zero modes
@@ -112,6 +113,7 @@ struct Method {
   MixedOptions mixed;                           ///< of scheme "mixed" only
   ImplicitOptions implicit;  ///< of scheme "implicit", and of elements that Newton's method moves
   UpdatedOptions updated;    ///< of scheme "updated" only
+  EulerianOptions eulerian;  ///< of scheme "eulerian" only
   ElementOptions element;    ///< of scheme "element" only
 };
 

@@ -7,6 +7,7 @@
 #include "lib/scene/initial_motion.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/element/element.hpp"
+#include "lib/schemes/eulerian/eulerian.hpp"
 #include "lib/schemes/mixed/mixed.hpp"
 #include "lib/schemes/updated/updated.hpp"
 
@@ -36,13 +37,16 @@ template <int d>
 Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
   const StepControl control = step_control(scene);
   Specimen<d> specimen{std::move(start.cloud), scene.material.law(), scene.material.elastic()};
-  if (scene.method.scheme == Updated<d>::name) {
-    if (scene.body.layout == Layout::mirror)
-      throw InputError("layout = \"mirror\" contradicts scheme = \"updated\"",
-                       "its sums have no images behind a roller", "use layout = \"node\" or \"cell\"");
+  const std::string& name = scene.method.scheme;
+  if ((name == Updated<d>::name || name == Eulerian<d>::name) && scene.body.layout == Layout::mirror)
+    throw InputError("layout = \"mirror\" contradicts scheme = \"" + name + "\"",
+                     "its sums have no images behind a roller", "use layout = \"node\" or \"cell\"");
+  if (name == Updated<d>::name)
     return as_simulation<d>(Updated<d>(std::move(specimen), scene.method.updated, start.actions),
                             start.motion, control);
-  }
+  if (name == Eulerian<d>::name)
+    return as_simulation<d>(Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions),
+                            start.motion, control);
   if (scene.method.scheme == "element")
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
   return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions), start.motion,
@@ -52,7 +56,7 @@ Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
 }  // namespace
 
 bool has_own_body(const std::string& scheme) {
-  return scheme == "mixed" || scheme == "updated" || scheme == "element";
+  return scheme == "mixed" || scheme == "updated" || scheme == "eulerian" || scheme == "element";
 }
 
 template <int d>

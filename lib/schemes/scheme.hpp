@@ -56,7 +56,7 @@ concept SchemeState = requires(S& state) {
   state.fields([](const FieldInfo&, auto&) {});
 };
 
-/// A scheme for bodies in d dimensions: "mixed", "updated" and "element" are such, and as_simulation() of
+/// A scheme for bodies in d dimensions: "mixed", "updated", "eulerian" and "element" are such, and as_simulation() of
 /// run/any_scheme.hpp makes a Simulation of each. "tlsph" is older and fuses force and step (loops, time): as_simulation()
 /// of scene/simulation.hpp makes its Simulation. "implicit" seeks equilibria of a body of "tlsph" or "element"
 /// (scene/go_implicitly.hpp). A scheme is one folder. `advance` makes one step of dt and leaves the

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/schemes/updated/pair_row.hpp"
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/pair_row.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "lib/schemes/updated/updated.hpp"
 
 /// One step of the balance that keeps both momenta: leapfrog with the geometry of x^{n+1/2} for the forces
@@ -13,7 +13,7 @@ template <int d>
 typename Updated<d>::Moved Updated<d>::moved(const State& state, Index i, double tau) const {
   const Mat<d> L = tensor_at<d>(state.gradient, i);
   Moved now{point_of(state, i), state.density[0][i] * std::exp(-tau * L.trace()), {}};
-  law_.advance(now.point, L, tau);
+  law_.advance(now.point, L, tau, now.density);
   // Cayley's map turns exactly where L is a spin; the volume is that of the density
   const Mat<d> I = Mat<d>::Identity(), half = 0.5 * tau * L;
   const Mat<d> F = (I - half).inverse() * ((I + half) * tensor_at<d>(state.F, i));

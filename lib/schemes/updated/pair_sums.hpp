@@ -1,9 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "lib/geometry/moving_neighbours.hpp"
 #include "lib/kernel/kernels/wendland_c2.hpp"
+#include "lib/schemes/moving_pairs.hpp"
 
 /// Sums over the pairs of the updated Lagrangian scheme. r_ij = x_i - x_j and v_ij = v_i - v_j as in paper
 /// 002; w = W'(r)/r, so that the gradient of the kernel is w r_ij. Rows are summed in ascending order.
@@ -14,8 +14,8 @@ struct KernelSlope {
   double factor, per_reach;  ///< value at r = 0; 1/(2h) [1/m]
 
   double operator()(double r) const {
-    const double t = 1 - r * per_reach;
-    return t > 0 ? factor * (t * t * t) : 0;
+    const double t = std::max(0.0, 1 - r * per_reach);
+    return factor * (t * t * t);
   }
 };
 /// In 1D the polynomial of 2D and 3D is taken, which is positive definite there too: w = 3/4 (1 - q/2)^4 (2q + 1).
@@ -25,26 +25,6 @@ KernelSlope wendland_slope(double h) {
   constexpr double q = 1, t = 1 - 0.5 * q;
   return {WendlandC2::dw<d>(q) / (q * t * t * t) / std::pow(h, d + 2), 0.5 / h};
 }
-
-constexpr Index particles_for_threads = 1000;
-
-/// Calls use(i) for all particles, side by side; what it writes must be i's own.
-template <class Use>
-void for_particles(Index count, Use&& use) {
-#pragma omp parallel for schedule(static) if (count >= particles_for_threads)
-  for (Index i = 0; i < count; ++i) use(i);
-}
-
-/// What pair loops read: the list and the particles' positions [m], velocities [m/s] and volumes [m^d].
-template <int d>
-struct MovingPairs {
-  const PairList& list;
-  KernelSlope slope;
-  const std::vector<Vec<d>>&x, &v;
-  const std::vector<double>& V;  ///< the sums are THEORY (17.1)
-
-  Index count() const { return static_cast<Index>(x.size()); }
-};
 
 /// Acoustic impedance of a pair, z_i z_j/(z_i + z_j) of (17).
 inline double joint(double a, double b) {

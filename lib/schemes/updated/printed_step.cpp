@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/schemes/updated/pair_row.hpp"
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/pair_row.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "lib/schemes/updated/updated.hpp"
 
 /// One acoustic step as paper 002 has it, with its misprints mended: half a drift, a kick with the geometry
@@ -79,7 +79,7 @@ void Updated<d>::printed_rates(State& next, double dt) {
     // the sum of (15) is not corrected: -rho tr G
     next.density_rate[0][i] = -next.density[0][i] * G.trace();
     Point point = point_of(next, i);
-    law_.advance(point, L, dt);
+    law_.advance(point, L, dt, next.density[0][i]);
     store(point, next, i);
     yield_ratio_[i] = point.yield_ratio;
     next.density[0][i] += 0.5 * dt * next.density_rate[0][i];

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
-#include "lib/schemes/updated/point_fields.hpp"
+#include <array>
+
+#include "lib/schemes/point_fields.hpp"
 #include "lib/schemes/updated/updated.hpp"
 
 /// What the scheme shows of its state: of the end of the step, to which the conservative balance moves stress
@@ -20,7 +22,7 @@ Snapshot<d> Updated<d>::snapshot(const State& state) {
   shown.step = state.step;
   shown.X = specimen_.cloud.X;
   const bool heat = state.heat.components() > 0;
-  if (law_.yields()) shown.more = {{"plastic strain", "", {}}, {"plastic work", "J/m^3", {}}};
+  for (const auto& [kept, unit] : law_.kept()) shown.more.push_back({kept, unit, {}});
   if (heat) shown.more.push_back({"heat", "J", {}});
   for (Index i = 0; i < count(); ++i) {
     const Moved now = at_end_of_step(state, i);
@@ -36,10 +38,9 @@ Snapshot<d> Updated<d>::snapshot(const State& state) {
     for (int k = d; k < 3; ++k) stress(k, k) -= now.point.s.trace() / (3 - d);
     shown.F.push_back(F);
     shown.cauchy.push_back(stress);
-    if (law_.yields()) {
-      shown.more[0].values.push_back(now.point.plastic);
-      shown.more[1].values.push_back(now.point.work);
-    }
+    const std::array<double, 4> values{now.point.plastic, now.point.work, now.point.temperature,
+                                       now.point.damage};
+    for (std::size_t k = 0; k < law_.kept().size(); ++k) shown.more[k].values.push_back(values[k]);
     if (heat) shown.more.back().values.push_back(state.heat[0][i]);
   }
   return shown;

@@ -1,24 +1,12 @@
 #include "lib/schemes/updated/updated.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "lib/geometry/position_text.hpp"
-#include "lib/schemes/updated/pair_row.hpp"
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/pair_row.hpp"
+#include "lib/schemes/point_fields.hpp"
 
 namespace plumb {
-namespace {
-
-/// Two particles nearer than this, in spacings, are at one place: their pair has no direction.
-constexpr double one_place = 1e-8;
-/// M of particles whose neighbours span the space has a determinant above this, relative to its trace.
-constexpr double spans = 1e-6;
-
-}  // namespace
-
 template <int d>
 Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions)
     : specimen_(std::move(specimen)),
@@ -37,6 +25,10 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   if (law_.yields() && options_.form == "eno")
     throw InputError("form = \"eno\" with a yield stress", "its force does not see the stress",
                      "use form = \"gno\"");
+  if (law_.johnson_cook() && law_.johnson_cook()->damages())
+    throw InputError("scheme = \"updated\" with damage_1",
+                     "a failed particle of that scheme would bear tension",
+                     "leave damage_1 out, or use scheme = \"eulerian\"");
   const Index n = cloud.size();
   actions_ = AppliedActions<d>(actions, cloud, Slots{n, 0, 0, 1});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
@@ -55,18 +47,10 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   next_ = make_state();
   neighbours_.update(x_);
   for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  refuse_one_place<d>(*neighbours_.list(), x_, cloud.spacing);
   for (Index i = 0; i < n; ++i) {
-    for (const auto j : neighbours_.list()->of(i))
-      if ((x_[i] - x_[j]).norm() < one_place * cloud.spacing)
-        throw InputError(fmt::format("particles {} and {} are at one place", i, j),
-                         "a pair without a direction has no force", "move one of them");
-    const Mat<d>& M = M_[i];
-    const double det = M.determinant();
-    if (!(det > spans * std::pow(M.trace() / d, d)))
-      throw InputError(fmt::format("the neighbours of particle {} at {} do not span the space", i,
-                                   position_text<d>(x_[i])),
-                       "its velocity gradient is not defined", "use a smaller spacing");
-    least_det_.push_back(options_.guard * det);
+    require_span<d>(M_[i], i, x_[i]);
+    least_det_.push_back(options_.guard * M_[i].determinant());
   }
 }
 
@@ -79,7 +63,7 @@ UpdatedState<d> Updated<d>::make_state() const {
   state.stress = make_field(d * d);
   state.F = make_field(d * d);
   state.gradient = make_field(d * d);
-  if (law_.yields()) state.plastic = make_field(2);
+  state.plastic = make_field(static_cast<int>(law_.kept().size()));
   if (options_.dissipation != "none") state.heat = make_field(1);
   if (options_.conservative()) return state;
   state.density_rate = make_field(1);
@@ -98,6 +82,7 @@ UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
   actions_.impose(0, state.u, state.v, true);
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
+    store(law_.at_rest(), state, i);
     set_tensor<d>(state.F, i, Mat<d>::Identity());
   }
   if (!motion.u.empty()) deform(state, motion);
@@ -119,12 +104,9 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
   neighbours_.update(x_);
   for_rows(pairs(), Seen::velocities, [&](Index i, const PairRow<d>& row) {
     const Mat<d> F = Mat<d>::Identity() + row.minus_sum(row.v) * row.minus_sum(row.r).inverse();
-    Mat<3> whole = Mat<3>::Identity();
-    whole.template topLeftCorner<d, d>() = F;
-    const LogarithmicStrain strain(whole * whole.transpose());
-    const Mat<3> e = strain.tensor(strain.strain);
-    Point point{2 * law_.shear * law_.deviator(e.template topLeftCorner<d, d>())};
-    law_.give_back(point);
+    Point point = law_.at_rest();
+    point.s = law_.deviator_of(F);
+    law_.give_back(point, 0, law_.density / F.determinant());
     store(point, state, i);
     state.density[0][i] = law_.density / F.determinant();
     set_tensor<d>(state.F, i, F);
@@ -133,19 +115,13 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
 
 template <int d>
 typename RateLaw<d>::Point Updated<d>::point_of(const State& state, Index i) const {
-  Point point{tensor_at<d>(state.stress, i)};
-  if (!law_.yields()) return point;
-  point.plastic = state.plastic[0][i];
-  point.work = state.plastic[1][i];
-  return point;
+  return law_.recall(tensor_at<d>(state.stress, i), state.plastic, i);
 }
 
 template <int d>
 void Updated<d>::store(const Point& point, State& state, Index i) const {
   set_tensor<d>(state.stress, i, point.s);
-  if (!law_.yields()) return;
-  state.plastic[0][i] = point.plastic;
-  state.plastic[1][i] = point.work;
+  law_.keep(point, state.plastic, i);
 }
 
 template <int d>

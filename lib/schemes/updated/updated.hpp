@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "lib/schemes/apply.hpp"
+#include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
 #include "lib/schemes/updated/pair_sums.hpp"
-#include "lib/schemes/updated/rate_law.hpp"
 #include "lib/schemes/updated/updated_options.hpp"
 #include "lib/schemes/updated/updated_state.hpp"
 
@@ -56,7 +56,7 @@ class Updated {
   Index count() const { return static_cast<Index>(mass_.size()); }
   Field make_field(int components) const { return {components, count(), 0}; }
   State make_state() const;
-  MovingPairs<d> pairs() const { return {*neighbours_.list(), slope_, x_, v_, V_}; }
+  MovingPairs<d, KernelSlope> pairs() const { return {*neighbours_.list(), slope_, x_, v_, V_}; }
   double bond_modulus() const { return options_.has_bonds() ? options_.strength(d) * law_.shear : 0; }
   Point point_of(const State& state, Index i) const;
   void store(const Point& point, State& state, Index i) const;

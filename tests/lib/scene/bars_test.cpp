@@ -86,7 +86,7 @@ TEST(Bars, OneThatHangsHasItsWeightInEveryCrossSection) {
 }
 
 TEST(Bars, AFreeOneKeepsItsMomentumAndHasNoAngularOne) {
-  for (const std::string scheme : {"tlsph", "mixed", "updated", "element"}) {
+  for (const std::string scheme : {"tlsph", "mixed", "updated", "eulerian", "element"}) {
     auto simulation = make_simulation<1>(bar(scheme, free_motion)).simulation;
     const Momentum before = simulation.momentum();
     RunRecord record;

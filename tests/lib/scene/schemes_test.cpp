@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(All, Schemes, testing::ValuesIn(scheme_names()),
                          [](const auto& about) { return about.param; });
 
 TEST(SchemesTogether, KeepTheMomentaOfAFreeBody) {
-  for (const std::string scheme : {"tlsph", "mixed", "updated", "element"}) {  // an equilibrium has none
+  for (const std::string scheme : {"tlsph", "mixed", "updated", "eulerian", "element"}) {  // an equilibrium has none
     auto simulation = make_simulation<2>(free_plate(scheme)).simulation;
     const Momentum before = simulation.momentum();
     RunRecord history;
@@ -217,7 +217,7 @@ TEST_P(PlasticSchemes, CarryPlasticity) {
   EXPECT_THROW(copper_bar("element"), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, testing::Values("tlsph", "mixed", "updated"),
+INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, testing::Values("tlsph", "mixed", "updated", "eulerian"),
                          [](const auto& about) { return about.param; });
 /// A plate that turns and stretches keeps its energy by the energy-momentum rule, on bonds and on elements.
 TEST(SchemesTogether, TheEnergyMomentumRuleKeepsTheEnergy) {
@@ -284,10 +284,11 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("updated", "kernel = \"cubic\"\n").find("section [updated] chooses"), std::string::npos);
   EXPECT_NE(refusal("updated", "[damping]\nrate = 5\n").find("contradicts scheme = \"updated\""),
             std::string::npos);
+  EXPECT_NE(refusal("updated", "[eulerian]\n").find("belongs to scheme = \"eulerian\""), std::string::npos);
   EXPECT_NE(refusal("mixed", "[updated]\n").find("belongs to scheme = \"updated\""), std::string::npos);
   EXPECT_NE(refusal("updated", "[updated]\nrotation = \"mean\"\n").find("turns with the pair"),
             std::string::npos);
-  for (const char* scheme : {"mixed", "implicit", "updated", "element"})
+  for (const char* scheme : {"mixed", "implicit", "updated", "eulerian", "element"})
     EXPECT_NE(refusal(scheme, "[output]\nbudget = true\n").find("keeps such an account"), std::string::npos);
   EXPECT_EQ(refusal("tlsph", "[output]\nbudget = true\n"), "accepted");
   EXPECT_NE(refusal("tlsph", "[element]\n").find("belongs to scheme = \"element\""), std::string::npos);

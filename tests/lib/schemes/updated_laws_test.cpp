@@ -3,7 +3,7 @@
 #include <omp.h>
 
 #include "lib/core/error.hpp"
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "tests/support/updated.hpp"
 
 namespace plumb::testing {

@@ -2,7 +2,7 @@
 // errors.
 #include <gtest/gtest.h>
 
-#include "lib/schemes/updated/point_fields.hpp"
+#include "lib/schemes/point_fields.hpp"
 #include "tests/support/updated.hpp"
 
 namespace plumb::testing {
@@ -120,7 +120,7 @@ TEST(UpdatedLaw, ATurnByJaumannsRateMakesStressGrow) {
   for (const bool jaumann : {true, false}) {
     RateLaw<3>::Point point{s};
     const RateLaw<3> law = copper(jaumann);
-    for (int n = 0; n < 1257; ++n) law.advance(point, L, 1e-4);
+    for (int n = 0; n < 1257; ++n) law.advance(point, L, 1e-4, law.density);
     EXPECT_NEAR(point.s.norm() / s.norm(), jaumann ? 1.06486375107 : 1, 1e-11);
     const double angle = 2 * 50 * 1257e-4;  // of the deviator: twice that of the body
     if (!jaumann) {
@@ -135,7 +135,7 @@ TEST(UpdatedLaw, YieldsWhereItMust) {
   RateLaw<3>::Point point{Mat<3>::Zero()};
   Mat<3> L = Mat<3>::Zero();
   L(0, 1) = L(1, 0) = 0.05;
-  for (int n = 0; n < 1000; ++n) law.advance(point, L, 1e-3);
+  for (int n = 0; n < 1000; ++n) law.advance(point, L, 1e-3, law.density);
   const double shear = 40e9, limit = 0.4e9 / std::sqrt(3.0);
   EXPECT_NEAR(limit, 230940107.7, 0.1);
   // gamma = s/G + sqrt(3) alpha with s = (Y + H alpha)/sqrt(3)
@@ -156,8 +156,8 @@ TEST(UpdatedLaw, PlaneStrainHasAThirdDirection) {
   Mat<2> L = Mat<2>::Zero();
   L(0, 0) = 1e-6;
   RateLaw<2>::Point a{Mat<2>::Zero()}, b{Mat<2>::Zero()};
-  strain.advance(a, L, 1);
-  flat.advance(b, L, 1);
+  strain.advance(a, L, 1, 1000);
+  flat.advance(b, L, 1, 1000);
   const double K = e.bulk_modulus(), G = e.shear_modulus();
   EXPECT_NEAR(1e6 * a.s(0, 0) + K, K + 4 * G / 3, 1e-6);  // the modulus of pressure waves
   EXPECT_NEAR(1e6 * b.s(0, 0) + K, K + G, 1e-6);          // that of the paper's law in 2D

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "lib/core/pack.hpp"
-#include "lib/schemes/updated/pair_sums.hpp"
+#include "lib/schemes/moving_pairs.hpp"
 
 namespace plumb {
 
@@ -15,7 +16,7 @@ enum class Seen {
   openings     ///< per_r and opening, too
 };
 
-/// The pairs of one particle that are within the reach, in ascending order of the others, number by number so
+/// The pairs of one particle that are within the reach, with r_ij = x_i - x_j and v_ij = v_i - v_j, in ascending order of the others, number by number so
 /// that several are worked on at once. What stands here depends on the positions only, not on the age of the
 /// list. Up to `padded` there are more entries, of no weight.
 template <int d>
@@ -46,7 +47,8 @@ class PairRow {
   std::vector<std::int32_t> other;
   std::vector<std::int64_t> place;  ///< in the list
 
-  void fill(const MovingPairs<d>& pairs, Index i, Seen seen) {
+  template <class Slope>
+  void fill(const MovingPairs<d, Slope>& pairs, Index i, Seen seen) {
     const Vec<d> here = pairs.x[i];
     const double reach = 1 / pairs.slope.per_reach, square = reach * reach;
     Index m = 0;
@@ -71,7 +73,7 @@ class PairRow {
     }
     weigh(pairs.slope);
     if (seen == Seen::positions) return;
-    fill_velocities(pairs, i);
+    fill_velocities(pairs.v, i);
     if (seen == Seen::openings) find_openings();
   }
 
@@ -124,20 +126,20 @@ class PairRow {
     return (longest + 2 * width) / width * width;
   }
 
-  void fill_velocities(const MovingPairs<d>& pairs, Index i) {
-    const Vec<d> here = pairs.v[i];
+  void fill_velocities(const std::vector<Vec<d>>& of, Index i) {
+    const Vec<d> here = of[i];
     for (Index m = 0; m < padded; ++m) {
-      const Vec<d> apart = here - pairs.v[other[m]];
+      const Vec<d> apart = here - of[other[m]];
       for (int k = 0; k < d; ++k) v[k][m] = apart[k];
     }
   }
 
-  void weigh(const KernelSlope& slope) {
+  template <class Slope>
+  void weigh(const Slope& slope) {
 #pragma omp simd
     for (Index m = 0; m < padded; ++m) {
       const double far = std::sqrt(distance[m]);
-      const double t = std::max(0.0, 1 - far * slope.per_reach);
-      weight[m] *= slope.factor * (t * t * t);
+      weight[m] *= slope(far);
       distance[m] = far;
     }
   }
@@ -146,8 +148,8 @@ class PairRow {
 };
 
 /// Calls use(i, row) for all particles, side by side, with the pairs of each.
-template <int d, class Use>
-void for_rows(const MovingPairs<d>& pairs, Seen seen, Use&& use) {
+template <int d, class Slope, class Use>
+void for_rows(const MovingPairs<d, Slope>& pairs, Seen seen, Use&& use) {
   const Index particles = pairs.count();
   std::int64_t longest = 0;
   for (Index i = 0; i < particles; ++i)

@@ -1,0 +1,130 @@
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "lib/schemes/eulerian/eulerian.hpp"
+#include "lib/schemes/point_fields.hpp"
+
+/// Forces between pairs [N]: THEORY (18.7) to (18.10). r_ij = x_i - x_j, w = W'/r.
+namespace plumb {
+namespace {
+
+/// The tensile part of a stress: what is left when its negative principal values are set to 0, (19), (20).
+template <int d>
+Mat<d> tensile(const Mat<d>& stress) {
+  const Eigen::SelfAdjointEigenSolver<Mat<d>> principal(0.5 * (stress + stress.transpose()));
+  const Vec<d> kept = principal.eigenvalues().cwiseMax(0);
+  return principal.eigenvectors() * kept.asDiagonal() * principal.eigenvectors().transpose();
+}
+
+}  // namespace
+
+template <int d>
+void Eulerian<d>::stress_forces(State& state) {
+  const double epsilon = options_.artificial_stress;
+  for_particles(count(), [&](Index i) {
+    const Mat<d> stress = tensor_at<d>(state.stress, i) - pressure_of(state, i) * Mat<d>::Identity();
+    const double rho = state.density[0][i];
+    const Mat<d> normal = options_.printed() ? Mat<d>(Mat<d>::Identity() / (rho * rho * shepard_[i])) : L_[i];
+    S_[i] = (stress + extra_[i]) * normal;
+    if (epsilon > 0) repulsion_[i] = epsilon * tensile<d>(stress) * normal;
+  });
+  const double nearby = kernel_.value(specimen_.cloud.spacing);
+  // (11) has masses and densities of now; the adjoint force has the volumes that made L
+  const std::vector<double>& weight = options_.printed() ? mass_ : V_;
+  const MovingPairs<d, SplinePairs<d>> weighed{*neighbours_.list(), kernel_, x_, v_, weight};
+  for_rows(weighed, Seen::positions, [&](Index i, const PairRow<d>& row) {
+    Vec<d> force = Vec<d>::Zero(), sum = Vec<d>::Zero();
+    for (Index m = 0; m < row.count; ++m) {
+      const Index j = row.other[m];
+      const Vec<d> wr = row.weight[m] * row.r_of(m);
+      sum += wr;
+      force += S_[j] * wr;
+      if (epsilon > 0) {
+        const double f = kernel_.value(row.distance[m]) / nearby;
+        force -= std::pow(f, options_.artificial_exponent) * ((repulsion_[i] + repulsion_[j]) * wr);
+      }
+    }
+    set_vector<d>(state.force, i, weight[i] * (force + S_[i] * sum));
+  });
+}
+
+/// (32), (33) and (34) with the signs that resist the error, and (33) with a density: of F_i and F_j as they
+/// are, and of the places before any deformation.
+template <int d>
+void Eulerian<d>::hourglass_forces(State& state) {
+  const double stiff = (options_.misprinted("32") ? -1 : 1) * options_.stiffness() * young();
+  const bool as_printed = options_.misprinted("33");
+  const double viscous = (as_printed ? -1 : 1) * options_.viscous() * law_.sound_speed() * h_;
+  const double far = 2 / kernel_.per_reach;  // pairs that were farther apart at first are none of the body
+  const auto failed = [&](Index i) { return law_.failed(damage_of(state, i)); };
+  for_particles(count(), [&](Index i) { S_[i] = 0.5 * tensor_at<d>(state.F, i); });
+  for_rows(pairs(), viscous != 0 ? Seen::openings : Seen::positions, [&](Index i, const PairRow<d>& row) {
+    Vec<d> force = Vec<d>::Zero();
+    for (Index m = 0; m < row.count; ++m) {
+      const Index j = row.other[m];
+      const Vec<d> X = specimen_.cloud.X[i] - specimen_.cloud.X[j], r = row.r_of(m);
+      const double length = X.squaredNorm(), square = row.distance[m] * row.distance[m];
+      if (length > far * far || failed(i) || failed(j)) continue;
+      const Vec<d> error = (S_[i] + S_[j]) * X - r;  // (31)
+      const double along = error.dot(r) / square;
+      if (stiff != 0) force += (stiff * V_[j] * kernel_.value(row.distance[m]) / length * along) * r;
+      if (viscous != 0 && row.opening[m] * along < 0) {
+        const double density = 0.5 * (state.density[0][i] + state.density[0][j]);
+        const double volume = as_printed ? 1 : mass_[i] * mass_[j] / (V_[i] * V_[j] * density);
+        force += (viscous * volume * row.weight[m] * std::sqrt(error.squaredNorm() / length) *
+                  row.opening[m] / square) *
+                 r;
+      }
+    }
+    set_vector<d>(state.hourglass, i, V_[i] * force);
+  });
+}
+
+/// (17) with (18), as m_i m_j Pi_ij grad W.
+template <int d>
+void Eulerian<d>::viscous_forces(State& state) {
+  const double alpha = options_.viscosity_linear * law_.sound_speed(), beta = options_.viscosity_quadratic;
+  for_rows(pairs(), Seen::openings, [&](Index i, const PairRow<d>& row) {
+    Vec<d> force = Vec<d>::Zero();
+    for (Index m = 0; m < row.count; ++m) {
+      if (row.opening[m] >= 0) continue;
+      const Index j = row.other[m];
+      const double phi = h_ * row.opening[m] / (row.distance[m] * row.distance[m]);
+      const double density = 0.5 * (state.density[0][i] + state.density[0][j]);
+      force += ((alpha - beta * phi) * phi / density * (mass_[j] / V_[j]) * row.weight[m]) * row.r_of(m);
+    }
+    set_vector<d>(state.viscous, i, mass_[i] * force);
+  });
+}
+
+template <int d>
+void Eulerian<d>::find_forces(State& state, double time) {
+  stress_forces(state);
+  if (options_.controls_hourglass()) hourglass_forces(state);
+  if (options_.has_viscosity()) viscous_forces(state);
+  const bool loaded = actions_.has_loads();
+  if (loaded) {
+    for (Index i = 0; i < count(); ++i) set_vector<d>(state.load, i, Vec<d>::Zero());
+    actions_.add_loads(time, keeps_F() ? &state.F : nullptr, 1 / law_.density, state.load);
+  }
+  for_particles(count(), [&](Index i) {
+    if (loaded) set_vector<d>(state.load, i, mass_[i] * vector_at<d>(state.load, i));
+    Vec<d> sum = vector_at<d>(state.force, i);
+    for (const Field* force : {&state.hourglass, &state.viscous, &state.load})
+      if (force->components() > 0) sum += vector_at<d>(*force, i);
+    set_vector<d>(state.acceleration, i, sum / mass_[i]);
+  });
+  actions_.hold(time, state.v, state.acceleration, unused_);
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                  \
+  template void Eulerian<d>::stress_forces(EulerianState<d>&);    \
+  template void Eulerian<d>::hourglass_forces(EulerianState<d>&); \
+  template void Eulerian<d>::viscous_forces(EulerianState<d>&);   \
+  template void Eulerian<d>::find_forces(EulerianState<d>&, double);
+PLUMBLINE_INSTANTIATE(1)
+PLUMBLINE_INSTANTIATE(2)
+PLUMBLINE_INSTANTIATE(3)
+#undef PLUMBLINE_INSTANTIATE
+
+}  // namespace plumb

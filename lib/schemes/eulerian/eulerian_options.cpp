@@ -1,0 +1,94 @@
+#include "lib/schemes/eulerian/eulerian_options.hpp"
+
+#include <fmt/format.h>
+
+#include "lib/input/section.hpp"
+
+namespace plumb {
+namespace {
+
+void read_numbers(const Section& section, EulerianOptions& o) {
+  const auto read = [&](const char* key, double& value) {
+    value = section.number_or(key, value, quantity::number, Sign::not_negative);
+  };
+  read("xi", o.xi);
+  read("zeta", o.zeta);
+  read("chi", o.chi);
+  if (o.chi > 1)
+    section.fail("chi", fmt::format("{:g} is more than the whole", o.chi),
+                 "it is the share of the viscous control", "0.5 is that of paper 001");
+  read("viscosity_linear", o.viscosity_linear);
+  read("viscosity_quadratic", o.viscosity_quadratic);
+  read("artificial_stress", o.artificial_stress);
+  read("artificial_exponent", o.artificial_exponent);
+  read("diffusion", o.diffusion);
+  o.beta = section.number_or("beta", o.beta, quantity::number, Sign::positive);
+  if (o.beta <= 0.5)
+    section.fail("beta", fmt::format("a support of {:g} spacings holds no neighbour", 2 * o.beta),
+                 "particles of a lattice are one spacing apart", "the paper has 1.3");
+  o.skin = section.number_or("skin", o.skin, quantity::number, Sign::positive);
+  if (const auto steps = section.optional_integer("rereference", 1)) o.rereference = *steps;
+}
+
+}  // namespace
+
+EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o) {
+  o.force = section.choice_or("force", o.force, {"adjoint", "printed"});
+  o.damping = section.choice_or("damping", o.damping, {"objective", "extrapolated", "none"});
+  o.hourglass = section.choice_or("hourglass", o.hourglass, {"stiffness", "viscous", "mixed", "none"});
+  read_numbers(section, o);
+  const auto refuse_unused = [&](const char* key, bool used, const char* of) {
+    if (section.has(key) && !used)
+      section.fail(key, fmt::format("contradicts hourglass = \"{}\"", o.hourglass),
+                   fmt::format("it belongs to {}", of), "leave it out");
+  };
+  refuse_unused("xi", o.hourglass == "stiffness" || o.hourglass == "mixed", "the stiffness control (32)");
+  refuse_unused("zeta", o.hourglass == "viscous" || o.hourglass == "mixed", "the viscous control (33)");
+  refuse_unused("chi", o.hourglass == "mixed", "the mixed control (34)");
+  refuse_unused("rereference", o.controls_hourglass(), "the F of hourglass control (30)");
+  if (section.has("artificial_exponent") && o.artificial_stress == 0)
+    section.fail("artificial_exponent", "there is no artificial stress", "it is the power of its weight",
+                 "give artificial_stress, too, or leave it out");
+  if (section.has("misprints")) o.misprints = section.texts("misprints");
+  for (const std::string& equation : o.misprints)
+    if (equation != "32" && equation != "33")
+      section.fail("misprints", fmt::format("there is none of ({})", equation),
+                   "the others are not in the scheme, or cannot be computed", "valid: \"32\", \"33\"");
+  return o;
+}
+
+EulerianOptions EulerianOptions::of_paper() {
+  EulerianOptions o;
+  o.force = "printed";
+  o.damping = "extrapolated";
+  o.cfl = 0.4;
+  return o;
+}
+
+std::string EulerianOptions::in_words() const {
+  std::string text = fmt::format("{} force, hourglass control {}, damping {}, cubic spline with h = {:g} dp",
+                                 force, hourglass, damping, beta);
+  if (has_viscosity()) text += fmt::format(", viscosity {:g}, {:g}", viscosity_linear, viscosity_quadratic);
+  if (artificial_stress > 0) text += fmt::format(", artificial stress {:g}", artificial_stress);
+  if (diffusion > 0) text += fmt::format(", diffusion of density {:g}", diffusion);
+  for (const std::string& equation : misprints) text += fmt::format(", ({}) with its misprint", equation);
+  return text;
+}
+
+std::vector<std::string> EulerianOptions::warnings() const {
+  std::vector<std::string> found;
+  if (printed())
+    found.emplace_back(
+        "the printed force is not the adjoint of the velocity gradient: it makes energy, and its wave speed "
+        "is 0.53 % off in 2D however fine the particles are");
+  if (printed() && damping == "none")
+    found.emplace_back("the printed force lets a free body at rest grow: without damping it breaks");
+  if (damping == "extrapolated")
+    found.emplace_back("rates of extrapolated velocities inflate a body that spins");
+  if (!controls_hourglass() && !has_viscosity())
+    found.emplace_back(
+        "without hourglass control and viscosity, tension tears the body at a strain of some percent");
+  return found;
+}
+
+}  // namespace plumb

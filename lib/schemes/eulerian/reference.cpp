@@ -1,0 +1,39 @@
+#include "lib/schemes/eulerian/reference.hpp"
+
+namespace plumb {
+
+template <int d>
+ReferencePairs<d>::ReferencePairs(std::vector<Vec<d>> x, std::vector<double> V,
+                                  std::shared_ptr<const PairList> list, const SplinePairs<d>& kernel)
+    : x_(std::move(x)),
+      V_(std::move(V)),
+      list_(std::move(list)),
+      weight_(list_->other.size()),
+      L_(x_.size()) {
+  for_particles(static_cast<Index>(x_.size()), [&](Index i) {
+    Mat<d> M = Mat<d>::Zero();
+    for (auto n = list_->begin[i]; n < list_->begin[i + 1]; ++n) {
+      const Vec<d> apart = x_[i] - x_[list_->other[n]];
+      weight_[n] = -V_[list_->other[n]] * kernel(apart.norm());
+      M += weight_[n] * apart * apart.transpose();
+    }
+    L_[i] = correction<d>(M);
+  });
+}
+
+template <int d>
+Mat<d> ReferencePairs<d>::gradient(const std::vector<Vec<d>>& x, Index i) const {
+  if (L_[i] == Mat<d>::Zero()) return Mat<d>::Identity();
+  Mat<d> sum = Mat<d>::Zero();
+  for (auto n = list_->begin[i]; n < list_->begin[i + 1]; ++n) {
+    const Index j = list_->other[n];
+    sum += (weight_[n] * (x[i] - x[j])) * (x_[i] - x_[j]).transpose();
+  }
+  return sum * L_[i];
+}
+
+template class ReferencePairs<1>;
+template class ReferencePairs<2>;
+template class ReferencePairs<3>;
+
+}  // namespace plumb
