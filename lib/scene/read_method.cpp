@@ -115,7 +115,11 @@ void read_scheme(const Section& root, Method& method) {
   }
   if (method.cfl) method.mixed.cfl = method.updated.cfl = method.element.cfl = *method.cfl;
   if (!has_own_body(method.scheme)) return;
-  for (const char* name : {"jst", "hourglass", "projection", "compatible", "damping"})
+  if (by_newton && root.has("damping"))
+    root.section("damping").fail("", "contradicts solve = \"newton\"",
+                                 "Newton's method looks for equilibria, or keeps the energy of a motion",
+                                 "use [element] solve = \"explicit\", or leave it out");
+  for (const char* name : {"jst", "hourglass", "projection", "compatible"})
     if (root.has(name))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               "it is a part of scheme = \"tlsph\"", "leave one of them out");
