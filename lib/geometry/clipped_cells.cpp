@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "lib/geometry/flat_pieces.hpp"
 #include "lib/geometry/simplex.hpp"
 #include "lib/geometry/voronoi_cells.hpp"
 
@@ -17,6 +19,11 @@ constexpr double touching = 1e-10;
 /// Pieces of surface whose normals differ by less than 45 degrees make one facet: a cell at a curved surface
 /// turns by d/R, at an edge of a body mostly by more.
 constexpr double same_side = 0.7;
+
+/// Two faces of planes are one if their normals agree but for rounding.
+constexpr double same_plane = 1 - 1e-12;
+/// Where more planes meet, as at the tip of a cone of triangles, they are cut as curved surfaces are.
+constexpr std::size_t most_planes = 6;
 
 /// A piece of the surface in one cell.
 template <int d>
@@ -35,17 +42,18 @@ struct Clipper {
   double volume = 0;
   Vec<d> moment = Vec<d>::Zero();
   std::vector<Piece<d>> pieces = {};
+  std::vector<Plane<d>> planes = {};  ///< of flat pieces near the simplex that is being cut
 
   double distance(const Vec<d>& X) const {
     const double found = shape.clip(X);
     return std::abs(found) < touching * spacing ? 0 : found;
   }
 
-  void add_face(const Simplex<d>& s, int opposite, const Vec<d>& area) {
+  void add_face(const Simplex<d>& s, int opposite, const Vec<d>& area, double same) {
     const double size = area.norm();
     if (!(size > 0)) return;
     for (auto& piece : pieces)
-      if (piece.area.dot(area) > same_side * piece.area.norm() * size) {
+      if (piece.area.dot(area) > same * piece.area.norm() * size) {
         piece.area += area;
         piece.moment += size * s.face_middle(opposite);
         piece.size += size;
@@ -54,19 +62,46 @@ struct Clipper {
     pieces.push_back({area, size * s.face_middle(opposite), size});
   }
 
-  /// A simplex that is inside. Its face on the surface is the one whose corners all touch it.
+  bool lies_on(const Plane<d>& plane, const Vec<d>& X) const {
+    return std::abs(plane.side(X)) < touching * spacing;
+  }
+  /// Whether holds(c) for all corners of the face opposite to one.
+  template <class Holds>
+  static bool all_of_face(int opposite, Holds&& holds) {
+    for (int c = 0; c <= d; ++c)
+      if (c != opposite && !holds(c)) return false;
+    return true;
+  }
+
+  /// Whether the face opposite to a corner is a part of a flat piece of the surface; nullopt if a corner of it
+  /// is on none of them, as at a curved one.
+  std::optional<bool> is_flat_surface(const Simplex<d>& s, int opposite) const {
+    for (const auto& plane : planes)
+      if (all_of_face(opposite, [&](int c) { return lies_on(plane, s.corner[c]); }))
+        return distance(s.face_middle(opposite)) == 0;
+    const bool chord = all_of_face(opposite, [&](int c) {
+      return std::any_of(planes.begin(), planes.end(),
+                         [&](const auto& p) { return lies_on(p, s.corner[c]); });
+    });
+    return chord ? std::optional(false) : std::nullopt;
+  }
+
+  /// A simplex that is inside. Its face on a curved surface is the one whose corners all touch it.
   void keep(const Simplex<d>& s) {
     const double part = s.volume();
     volume += part;
     moment += part * s.middle();
     if (s.wall >= 0) {
       const Vec<d> area = s.face(s.wall);
-      add_face(s, s.wall, area.dot(wall_normal) < 0 ? Vec<d>(-area) : area);
+      add_face(s, s.wall, area.dot(wall_normal) < 0 ? Vec<d>(-area) : area, same_side);
     }
-    if (flat || std::count(s.distance.begin(), s.distance.end(), 0.0) != d) return;
-    const auto inside = std::find_if(s.distance.begin(), s.distance.end(), [](double x) { return x != 0; });
-    const int opposite = static_cast<int>(inside - s.distance.begin());
-    add_face(s, opposite, s.face(opposite));
+    if (flat) return;
+    const bool one = std::count(s.distance.begin(), s.distance.end(), 0.0) == d;
+    for (int c = 0; c <= d; ++c) {
+      if (c == s.wall || !all_of_face(c, [&](int k) { return s.distance[k] == 0; })) continue;
+      const std::optional<bool> of_plane = is_flat_surface(s, c);
+      if (of_plane.value_or(one)) add_face(s, c, s.face(c), of_plane ? same_plane : same_side);
+    }
   }
 
   /// Where the edge from a point inside to one outside meets the surface (false position, Illinois).
@@ -109,6 +144,27 @@ struct Clipper {
     }
   }
 
+  /// Cuts along the planes from the n-th on, so that no piece reaches across one, and then along what is
+  /// curved.
+  void cut_along(const Simplex<d>& s, std::size_t n) {
+    if (n == planes.size()) return cut(s);
+    std::array<double, d + 1> side;
+    for (int c = 0; c <= d; ++c) {
+      side[c] = planes[n].side(s.corner[c]);
+      if (std::abs(side[c]) < touching * spacing) side[c] = 0;
+    }
+    for (int a = 0; a <= d; ++a)
+      for (int b = 0; b <= d; ++b)
+        if (side[a] < 0 && side[b] > 0) {
+          const Vec<d> point = s.corner[a] + side[a] / (side[a] - side[b]) * (s.corner[b] - s.corner[a]);
+          const double there = distance(point);
+          cut_along(s.half(b, a, point, there), n);
+          cut_along(s.half(a, b, point, there), n);
+          return;
+        }
+    cut_along(s, n + 1);
+  }
+
   /// Halves until the simplex is away from the surface or small.
   void clip(const Simplex<d>& s) {
     const Vec<d> middle = s.middle();
@@ -118,7 +174,12 @@ struct Clipper {
     if (there > radius) return;
     if (there < -radius) return keep(s);
     const auto [edge, length] = s.longest_edge();
-    if (length < finest<d> * spacing) return cut(s);
+    if (length < finest<d> * spacing) {
+      planes.clear();
+      planes_near(shape, middle, radius, planes);
+      if (planes.size() > most_planes) planes.clear();
+      return cut_along(s, 0);
+    }
     const Vec<d> point = 0.5 * (s.corner[edge.first] + s.corner[edge.second]);
     const double of_point = distance(point);
     clip(s.half(edge.first, edge.second, point, of_point));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lib/geometry/flat_pieces.hpp"
 #include "lib/geometry/shape_catalogue.hpp"  // made by CMake from geometry/shapes/*.hpp
 
 namespace plumb {
@@ -30,6 +31,37 @@ ShapeLengths complete(std::string_view name, const std::vector<ShapeLength>& wan
   return lengths;
 }
 
+/// The clip of a model; one that knows its flat pieces if the model has flats<d>(X, radius, planes).
+template <int d, class S>
+std::function<double(const Vec<d>&)> clip_of(const S& model) {
+  const auto distance = [model](const Vec<d>& X) { return model.template distance<d>(X); };
+  if constexpr (requires(const Vec<d>& X, std::vector<Plane<d>>& planes) {
+                  model.template flats<d>(X, 0.0, planes);
+                })
+    return ClipWithPlanes<d>{distance,
+                             [model](const Vec<d>& X, double radius, std::vector<Plane<d>>& planes) {
+                               model.template flats<d>(X, radius, planes);
+                             }};
+  else
+    return distance;
+}
+
+/// Planes of the faces of a box that come within the radius; none of one without bounds.
+template <int d>
+void faces_near(const Box<d>& box, const Vec<d>& X, double radius, std::vector<Plane<d>>& planes) {
+  if (!box.size.allFinite()) return;
+  for (int k = 0; k < d; ++k)
+    for (const double face : {box.origin[k], box.origin[k] + box.size[k]})
+      if (std::abs(X[k] - face) <= radius)
+        planes.push_back({X + (face - X[k]) * Vec<d>::Unit(k), Vec<d>::Unit(k)});
+}
+
+/// Whether a shape has flat pieces that are known: those of its clip, or the faces of its box alone.
+template <int d>
+bool has_planes(const Shape<d>& shape) {
+  return !shape.clip || shape.clip.template target<ClipWithPlanes<d>>();
+}
+
 }  // namespace
 
 template <int d>
@@ -53,7 +85,7 @@ Shape<d> shape_named(std::string_view name, const ShapeLengths& lengths) {
         std::bool_constant<S::fills_its_box>{};
       };
       if constexpr (requires { model.fills_its_box(); }) whole = model.fills_its_box();
-      if (!whole) shape.clip = [model](const Vec<d>& X) { return model.template distance<d>(X); };
+      if (!whole) shape.clip = clip_of<d>(model);
     } else {
       throw InputError(fmt::format("shape \"{}\" in {} dimensions", name, d), "it does not exist there", "");
     }
@@ -64,9 +96,19 @@ Shape<d> shape_named(std::string_view name, const ShapeLengths& lengths) {
 
 template <int d>
 Shape<d> without(Shape<d> body, const Shape<d>& hole) {
-  body.clip = [kept = std::move(body.clip), hole](const Vec<d>& X) {
+  const auto distance = [kept = body.clip, hole](const Vec<d>& X) {
     return kept ? std::max(kept(X), -hole.distance(X)) : -hole.distance(X);
   };
+  if (!has_planes(hole) && !(body.clip && has_planes(body))) {
+    body.clip = distance;
+    return body;
+  }
+  body.clip = ClipWithPlanes<d>{
+      distance, [kept = body, hole](const Vec<d>& X, double radius, std::vector<Plane<d>>& planes) {
+        planes_near(kept, X, radius, planes);
+        planes_near(hole, X, radius, planes);
+        if (has_planes(hole)) faces_near(hole.box, X, radius, planes);
+      }};
   return body;
 }
 

@@ -126,7 +126,15 @@ void read_scheme(const Section& root, Method& method) {
   if (method.cfl)
     method.mixed.cfl = method.updated.cfl = method.eulerian.cfl = method.element.cfl = *method.cfl;
   if (!has_own_body(method.scheme)) return;
-  for (const char* name : {"jst", "hourglass", "projection", "compatible", "damping"})
+  if (by_newton && root.has("damping"))
+    root.section("damping").fail("", "contradicts solve = \"newton\"",
+                                 "Newton's method looks for equilibria, or keeps the energy of a motion",
+                                 "use [element] solve = \"explicit\", or leave it out");
+  if (method.scheme == "eulerian" && root.has("damping"))
+    root.section("damping").fail("", "contradicts scheme = \"eulerian\"",
+                                 "that scheme has no damping by the velocity",
+                                 "use [eulerian] damping, or another scheme");
+  for (const char* name : {"jst", "hourglass", "projection", "compatible"})
     if (root.has(name))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               "it is a part of scheme = \"tlsph\"", "leave one of them out");

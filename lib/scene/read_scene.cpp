@@ -46,9 +46,20 @@ void refuse_budget_of_another(const Section& root, const Scene& scene) {
 /// What has no rest, or none that a run in time finds.
 void refuse_restless(const Section& root, const Scene& scene) {
   const Section section = root.section("relaxation");
-  if (scene.method.scheme != "tlsph")
-    section.fail("", fmt::format("contradicts scheme = \"{}\"", scene.method.scheme),
-                 "only scheme = \"tlsph\" looks for rest in time", "leave it out, or use scheme = \"tlsph\"");
+  const Method& method = scene.method;
+  const bool by_newton = method.scheme == "element" && method.element.by_newton();
+  if (method.scheme == "implicit" || by_newton)
+    section.fail("",
+                 fmt::format("contradicts {}", by_newton ? "solve = \"newton\"" : "scheme = \"implicit\""),
+                 "it looks for equilibria by itself, without time",
+                 "leave it out, or use a scheme that steps in time");
+  if (method.scheme == "eulerian")
+    section.fail("", "contradicts scheme = \"eulerian\"", "that scheme does not look for rest in time",
+                 "leave it out, or use another scheme");
+  if (method.scheme == "updated" && !method.updated.conservative())
+    section.fail("", "contradicts balance = \"printed\"",
+                 "its forces belong to the middle of a step, and none are known of a body at rest",
+                 "use [updated] balance = \"conservative\"");
   if (scene.boundaries.empty() && !scene.load)
     section.fail("", "nothing holds or loads the body", "the residual is relative to those forces",
                  "add [[boundary]] or [load]");

@@ -14,10 +14,14 @@
 namespace plumb {
 namespace {
 
+double damping_of(const Scene& scene) {
+  return scene.method.damping ? scene.method.damping->rate : 0;
+}
+
 /// Elements by Verlet, or as [implicit] says.
 template <int d>
 Simulation<d> element_simulation(Specimen<d> specimen, const Scene& scene, SchemeStart<d> start) {
-  Element<d> scheme(std::move(specimen), scene.method.element, std::move(start.actions));
+  Element<d> scheme(std::move(specimen), scene.method.element, std::move(start.actions), damping_of(scene));
   const Slots slots = scheme.layout();
   auto state = scheme.start(start.motion);
   const auto moving =
@@ -42,15 +46,16 @@ Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
     throw InputError("layout = \"mirror\" contradicts scheme = \"" + name + "\"",
                      "its sums have no images behind a roller", "use layout = \"node\" or \"cell\"");
   if (name == Updated<d>::name)
-    return as_simulation<d>(Updated<d>(std::move(specimen), scene.method.updated, start.actions),
-                            start.motion, control);
+    return as_simulation<d>(
+        Updated<d>(std::move(specimen), scene.method.updated, start.actions, damping_of(scene)), start.motion,
+        control);
   if (name == Eulerian<d>::name)
     return as_simulation<d>(Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions),
                             start.motion, control);
   if (scene.method.scheme == "element")
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
-  return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions), start.motion,
-                          control);
+  return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions, damping_of(scene)),
+                          start.motion, control);
 }
 
 }  // namespace
@@ -63,7 +68,13 @@ template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
   const bool works = does_work(start.actions);
   Simulation<d> simulation = simulation_of(scene, std::move(start));
-  simulation.has_other_work = simulation.has_other_work || works;  // no scheme of this house accounts for it
+  if (!simulation.external_work && works) simulation.has_other_work = true;
+  if (scene.method.damping)
+    simulation.account = [account = simulation.account, said = scene.method.damping->in_words()] {
+      auto all = account();
+      all.push_back({"damping", said, "THEORY (6.7)"});
+      return all;
+    };
   return simulation;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,9 @@ inline void blend(const std::vector<Field*>& U, const std::vector<Field*>& U0, c
       }
   }
 }
+
+/// Weights of the rates of the three stages in the step of ssp_rk3_step().
+inline constexpr std::array<double, 3> ssp_rk3_weights = {1.0 / 6, 1.0 / 6, 2.0 / 3};
 
 /// One step of the three-stage scheme (61) of paper 003, which keeps order 3 for loads that vary in time: its
 /// stages stand at t, t + dt and t + dt/2. THEORY (7.1). `rates(state, time, rate)` fills the evolving fields

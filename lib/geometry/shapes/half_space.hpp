@@ -1,5 +1,5 @@
 #pragma once
-#include "lib/geometry/shape.hpp"
+#include "lib/geometry/flat_pieces.hpp"
 
 namespace plumb {
 
@@ -28,6 +28,10 @@ struct HalfSpace {
   template <int d>
   double distance(const Vec<d>& X) const {
     return -Vec<d>(normal.data()).dot(X - Vec<d>(point.data()));
+  }
+  template <int d>
+  void flats(const Vec<d>& X, double radius, std::vector<Plane<d>>& planes) const {
+    if (std::abs(distance<d>(X)) <= radius) planes.push_back({Vec<d>(point.data()), Vec<d>(normal.data())});
   }
 };
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "lib/geometry/crossing.hpp"
-#include "lib/geometry/shape.hpp"
+#include "lib/geometry/flat_pieces.hpp"
 
 namespace plumb {
 
@@ -50,14 +50,26 @@ struct Polygon {
       const Vec<2> edge = b - a;
       if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / edge[1] * edge[0])
         inside = !inside;
-      if (on_face(k)) continue;
-      const double t = std::clamp((X - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-      square = std::min(square, (X - a - t * edge).squaredNorm());
+      if (!on_face(k)) square = std::min(square, square_to_edge(k, X));
     }
     return inside ? -std::sqrt(square) : std::sqrt(square);
   }
+  template <int d>
+  void flats(const Vec<d>& X, double radius, std::vector<Plane<d>>& planes) const {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (on_face(k) || square_to_edge(k, X) > radius * radius) continue;
+      const Vec<2> edge = (next(k) - corners[k]).normalized();
+      planes.push_back({corners[k], Vec<2>(edge[1], -edge[0])});
+    }
+  }
 
  private:
+  double square_to_edge(std::size_t k, const Vec<2>& X) const {
+    const Vec<2>& a = corners[k];
+    const Vec<2> edge = next(k) - a;
+    const double t = std::clamp((X - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    return (X - a - t * edge).squaredNorm();
+  }
   const Vec<2>& next(std::size_t k) const { return corners[(k + 1) % corners.size()]; }
 
   bool on_face(std::size_t k) const {

@@ -81,11 +81,11 @@ Eigen::VectorXd identities(Index places) {
 }  // namespace
 
 template <int d>
-Element<d>::Element(Specimen<d> specimen, ElementOptions options, Actions<d> actions)
+Element<d>::Element(Specimen<d> specimen, ElementOptions options, Actions<d> actions, double damping)
     : options_(std::move(options)),
       body_(make_element_body(std::move(specimen), options_)),
       actions_(with_areas_of_elements(std::move(actions), body_.cloud, options_.degree())),
-      applied_(actions_, body_.cloud, layout()),
+      outside_(actions_, body_.cloud, layout(), {body_.elastic.density, damping}),
       neighbours_(count_neighbours(body_)),
       omega_(body_.highest_frequency()),
       rate_(nodal(d)),
@@ -98,7 +98,7 @@ ElementState Element<d>::start(const InitialMotion<d>& motion) const {
     set_vector<d>(state.u, static_cast<Index>(i), motion.u[i]);
   for (std::size_t i = 0; i < motion.v.size(); ++i)
     set_vector<d>(state.v, static_cast<Index>(i), motion.v[i]);
-  applied_.impose(0, state.u, state.v, true);
+  outside_.start(state.u, state.v);
   return state;
 }
 
@@ -115,8 +115,8 @@ std::optional<Trouble> Element<d>::evaluate(const Field& u, double time) {
   const double per_mass = 1 / body_.elastic.density;
   for (Index i = 0; i < count; ++i)
     for (int k = 0; k < d; ++k) rate_[k][i] = -per_mass / body_.cloud.V[i] * force[d * i + k];
-  const Field F = applied_.needs_F() ? body_.nodal_gradients(F_) : Field();
-  applied_.add_loads(time, &F, per_mass, rate_);
+  const Field F = outside_.needs_F() ? body_.nodal_gradients(F_) : Field();
+  outside_.add_loads(time, &F, rate_);
   seen_u_ = u;
   seen_time_ = time;
   return std::nullopt;
@@ -139,28 +139,37 @@ double Element<d>::step_limit(const State& state) {
 template <int d>
 std::optional<Trouble> Element<d>::advance(State& state, double dt) {
   if (auto trouble = evaluate(state.u, state.time)) return trouble;
-  const Field u = state.u, v = state.v;
+  const State before = state;
   const Index count = body_.cloud.size();
   Field moved = nodal(d);
   const auto add = [&](double factor, const Field& from, Field& to) {
     for (int k = 0; k < d; ++k)
       for (Index i = 0; i < count; ++i) to[k][i] += factor * from[k][i];
   };
-  applied_.hold(state.time, state.v, rate_, moved);
-  add(dt / 2, rate_, state.v);
+  const auto kick = [&](double time) {
+    Field rate = rate_;
+    outside_.hold(time, dt / 2, state.v, rate, moved);
+    add(dt / 2, rate, state.v);
+  };
+  outside_.begin_step(dt, state.v, state.outside);
+  kick(state.time);
   add(dt, state.v, state.u);
-  applied_.impose(state.time + dt, state.u, state.v, false);
+  outside_.impose(state.time + dt, state.u, state.v);
   if (auto trouble = evaluate(state.u, state.time + dt)) {
-    state.u = u;
-    state.v = v;
+    state = before;
     return trouble;
   }
-  applied_.hold(state.time + dt, state.v, rate_, moved);
-  add(dt / 2, rate_, state.v);
-  applied_.impose(state.time + dt, state.u, state.v, false);
+  kick(state.time + dt);
+  outside_.end_step(state.time + dt, dt, state.u, state.v, state.outside);
   state.time += dt;
   ++state.step;
   return std::nullopt;
+}
+
+template <int d>
+std::optional<OpenAcceleration> Element<d>::open(const State& state, bool /*still*/) {
+  if (evaluate(state.u, state.time)) return std::nullopt;
+  return OpenAcceleration{rate_, outside_.loads()};
 }
 
 template <int d>
@@ -228,7 +237,7 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   operators.force =
       SparseMatrix(gradient_operator<d>(typename ElementBody<d>::Rows(body_.forces.transpose())).transpose());
   operators.terms = per_component(body_.springs, d);
-  if (applied_.needs_F())
+  if (outside_.needs_F())
     made.at_particles = {identities<d>(body_.cloud.size()),
                          per_component(body_.mean, d * d) * operators.gradient};
   made.cloud = body_.cloud;

@@ -3,16 +3,17 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/schemes/apply.hpp"
 #include "lib/schemes/element/element_body.hpp"
 #include "lib/schemes/implicit/stored_energy.hpp"
+#include "lib/schemes/outside.hpp"
 
 namespace plumb {
 
 /// Displacements and velocities of nodes.
 struct ElementState {
-  Field u;          ///< [m]
-  Field v;          ///< [m/s]
+  Field u;  ///< [m]
+  Field v;  ///< [m/s]
+  OutsideWork outside = {};
   double time = 0;  ///< [s]
   long step = 0;
 
@@ -20,6 +21,10 @@ struct ElementState {
   void fields(Visit&& visit) {
     visit(FieldInfo{"displacement", "m"}, u);
     visit(FieldInfo{"velocity", "m/s"}, v);
+  }
+  template <class Visit>
+  void whole_fields(Visit&& visit) {
+    outside.whole_fields(visit);
   }
 };
 
@@ -33,8 +38,8 @@ class Element {
   using Options = ElementOptions;
   using State = ElementState;
 
-  /// InputError where the cloud is no node lattice, or the law has no energy.
-  Element(Specimen<d> specimen, ElementOptions options, Actions<d> actions);
+  /// `damping`: rate [1/s], THEORY (6.7). InputError where the cloud is no node lattice, or the law has no energy.
+  Element(Specimen<d> specimen, ElementOptions options, Actions<d> actions, double damping = 0);
 
   /// At rest in the reference where the motion has no entries.
   State start(const InitialMotion<d>& motion) const;
@@ -53,20 +58,23 @@ class Element {
   static constexpr int evaluations_per_step = 1;
   NeighbourCounts neighbours() const { return neighbours_; }
   const ElementBody<d>& body() const { return body_; }
+  const OutsideForces<d>& outside() const { return outside_; }
+  /// Accelerations in this state, which do not depend on the velocity; nullopt if a cell is inverted.
+  std::optional<OpenAcceleration> open(const State& state, bool still);
 
  private:
   Field nodal(int components) const { return {components, body_.cloud.size(), 0}; }
-  /// Makes F_ and rate_ those of the displacements at that time, unless they are.
+  /// Makes F_ and rate_ those of the displacements at that time, unless they are. Supports are not in them.
   std::optional<Trouble> evaluate(const Field& u, double time);
 
   ElementOptions options_;
   ElementBody<d> body_;
   Actions<d> actions_;
-  AppliedActions<d> applied_;
+  OutsideForces<d> outside_;
   NeighbourCounts neighbours_;
   double omega_;  ///< of the stiffest cell [1/s]
   Field F_;       ///< by point
-  Field rate_;    ///< acceleration [m/s^2]
+  Field rate_;    ///< acceleration by the body's own forces and the loads [m/s^2]
   Field seen_u_;  ///< what F_ and rate_ are of
   std::optional<double> seen_time_;
 };

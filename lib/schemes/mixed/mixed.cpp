@@ -12,13 +12,13 @@
 namespace plumb {
 
 template <int d>
-Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions)
+Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions, double damping)
     : specimen_(std::move(specimen)), options_(std::move(options)) {
   const Elastic elastic = in_dimension(d, specimen_.elastic, specimen_.law.plane);
   law_ = block_law<d>(specimen_.law, specimen_.elastic, options_.evolves_HJ());
   bonds_ = make_mixed_bonds<d>(specimen_.cloud, options_, elastic.density);
   const Slots& all = bonds_.table.slots;
-  actions_ = AppliedActions<d>(actions, specimen_.cloud, all);
+  outside_ = OutsideForces<d>(actions, specimen_.cloud, all, {specimen_.elastic.density, damping});
   volume_.assign(static_cast<std::size_t>(all.count()), 0.0);
   for (Index p = 0; p < cloud().size(); ++p) volume_[all.of(p)] = cloud().V[p];
   shear_speed_ = elastic.shear_wave_speed();
@@ -56,7 +56,7 @@ MixedState<d> Mixed<d>::start(const InitialMotion<d>& motion) {
   const Slots& all = bonds_.table.slots;
   for (std::size_t p = 0; p < motion.u.size(); ++p) set_vector<d>(state.u, all.of(p), motion.u[p]);
   for (std::size_t p = 0; p < motion.v.size(); ++p) set_vector<d>(state.v, all.of(p), motion.v[p]);
-  actions_.impose(0, state.u, state.v, true);
+  outside_.start(state.u, state.v);
   for (Index i = 0; i < slots() && options_.option > 0; ++i)
     for (int a = 0; a < d; ++a) state.F_chi[a * (d + 1)][i] = 1;
   if (law_.history_components > 0) start_history<d>(specimen_.law, state, slots());
@@ -94,17 +94,29 @@ template <int d>
 std::optional<Trouble> Mixed<d>::advance(State& state, double dt) {
   follow_reference(state);
   const double time = state.time;
-  auto trouble =
-      ssp_rk3_step(state, before_, rate_, slots(), dt,
-                   [&](const State& now, double t, State& rate) { return evaluate(now, t, rate); });
-  if (trouble) return trouble;
-  actions_.impose(state.time, state.u, state.v, false);
-  trouble = end_of_step(state);
-  if (trouble) {
+  const OutsideWork work = state.outside;
+  const Field v = outside_.damps() ? state.v : Field();
+  const auto give_back = [&] {
+    if (outside_.damps()) state.v = v;
+    state.outside = work;
+  };
+  outside_.begin_step(dt, state.v, state.outside);
+  const double* weight = ssp_rk3_weights.data();
+  auto trouble = ssp_rk3_step(state, before_, rate_, slots(), dt,
+                              [&](const State& now, double t, State& rate) -> std::optional<Trouble> {
+                                if (auto wrong = evaluate(now, t, rate)) return wrong;
+                                outside_.hold(t, *weight++ * dt, now.v, rate.v, rate.u);
+                                return std::nullopt;
+                              });
+  if (!trouble) {
+    outside_.end_step(state.time, dt, state.u, state.v, state.outside);
+    trouble = end_of_step(state);
+    if (!trouble) return trouble;
     copy_evolving(before_, state);
     state.time = time;
     --state.step;
   }
+  give_back();
   return trouble;
 }
 

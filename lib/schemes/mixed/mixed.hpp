@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "lib/particles/block.hpp"
-#include "lib/schemes/apply.hpp"
 #include "lib/schemes/mixed/block_law.hpp"
 #include "lib/schemes/mixed/mixed_bonds.hpp"
 #include "lib/schemes/mixed/mixed_options.hpp"
+#include "lib/schemes/outside.hpp"
 #include "lib/schemes/scheme.hpp"
 
 namespace plumb {
@@ -22,9 +22,9 @@ class Mixed {
   using Options = MixedOptions;
   using State = MixedState<d>;
 
-  /// InputError where the neighbours of a particle do not span the space, or the law does not go with the
+  /// `damping`: rate [1/s], THEORY (6.7). InputError where the neighbours of a particle do not span the space, or the law does not go with the
   /// options.
-  Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions);
+  Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions, double damping = 0);
 
   /// At rest in the reference where the motion has no entries.
   State start(const InitialMotion<d>& motion);
@@ -37,6 +37,9 @@ class Mixed {
 
   /// Fills the evolving fields of `rate` with the time derivatives of those of the state.
   std::optional<Trouble> rates(const State& state, double time, State& rate);
+  const OutsideForces<d>& outside() const { return outside_; }
+  /// Accelerations in this state, at velocity zero if it is `still`; nullopt if the body is not sound.
+  std::optional<OpenAcceleration> open(const State& state, bool still);
 
   static constexpr int evaluations_per_step = 3;
   const Slots& layout() const { return bonds_.table.slots; }
@@ -56,6 +59,7 @@ class Mixed {
   std::optional<Trouble> find_trouble(const State& state, const Field& F) const;
   /// Makes the bonds those of the state's reference.
   void follow_reference(const State& state);
+  /// Rates without supports.
   std::optional<Trouble> evaluate(const State& state, double time, State& rate);
   std::optional<Trouble> end_of_step(State& state);
   /// F, velocity gradients and stretches of one block, and the rates of F, H and J; false if a determinant is
@@ -70,7 +74,7 @@ class Mixed {
   Specimen<d> specimen_;
   MixedOptions options_;
   MixedBonds<d> bonds_;
-  AppliedActions<d> actions_;
+  OutsideForces<d> outside_;
   BlockLaw<d> law_;
   AlignedVector volume_;  ///< by slot [m^d]; 0 for empty slots
   double pressure_speed_, shear_speed_;

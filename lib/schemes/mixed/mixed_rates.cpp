@@ -114,15 +114,25 @@ std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State
       for_blocks(t, [&](const Block& block) { upwind_block<W>(state, F, block, rate); });
     for_blocks(t, [&](const Block& block) { force_of_block<W>(state, block, rate); });
   });
-  actions_.add_loads(time, &F, 1 / specimen_.elastic.density, rate.v);
-  actions_.hold(time, state.v, rate.v, rate.u);
+  outside_.add_loads(time, &F, rate.v);
   return std::nullopt;
 }
 
 template <int d>
 std::optional<Trouble> Mixed<d>::rates(const State& state, double time, State& rate) {
   follow_reference(state);
-  return evaluate(state, time, rate);
+  if (auto trouble = evaluate(state, time, rate)) return trouble;
+  outside_.hold(time, 0, state.v, rate.v, rate.u);
+  return std::nullopt;
+}
+
+template <int d>
+std::optional<OpenAcceleration> Mixed<d>::open(const State& state, bool still) {
+  follow_reference(state);
+  State at = state;
+  for (int k = 0; k < d && still; ++k) std::fill_n(at.v[k], slots(), 0.0);
+  if (evaluate(at, state.time, rate_)) return std::nullopt;
+  return OpenAcceleration{rate_.v, outside_.loads()};
 }
 
 template std::optional<Trouble> Mixed<1>::evaluate(const MixedState<1>&, double, MixedState<1>&);
@@ -131,5 +141,9 @@ template std::optional<Trouble> Mixed<3>::evaluate(const MixedState<3>&, double,
 template std::optional<Trouble> Mixed<1>::rates(const MixedState<1>&, double, MixedState<1>&);
 template std::optional<Trouble> Mixed<2>::rates(const MixedState<2>&, double, MixedState<2>&);
 template std::optional<Trouble> Mixed<3>::rates(const MixedState<3>&, double, MixedState<3>&);
+
+template std::optional<OpenAcceleration> Mixed<1>::open(const MixedState<1>&, bool);
+template std::optional<OpenAcceleration> Mixed<2>::open(const MixedState<2>&, bool);
+template std::optional<OpenAcceleration> Mixed<3>::open(const MixedState<3>&, bool);
 
 }  // namespace plumb

@@ -42,11 +42,11 @@ void Updated<d>::stretch_bonds(const State& state, const PairHistory& before, do
   });
 }
 
-/// Force on every particle at x_ [N], THEORY (17.6): S_ holds sigma B. Without dissipation impedance_ is 0.
+/// Force on every particle at x_ [N], THEORY (17.6): S_ holds sigma B. Without dissipation
+/// impedance_ is not read.
 template <int d>
-void Updated<d>::conservative_forces(const PairHistory& bonds) {
+void Updated<d>::conservative_forces(const PairHistory& bonds, bool dissipates) {
   const double modulus = bond_modulus();
-  const bool dissipates = options_.dissipation != "none";
   for_rows(pairs(), Seen::openings, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero(), sum = Vec<d>::Zero();
     double heat = 0;
@@ -68,6 +68,43 @@ void Updated<d>::conservative_forces(const PairHistory& bonds) {
 }
 
 template <int d>
+void Updated<d>::balance(double time, bool still) {
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  correct();
+  const bool bonds_are_shear = options_.form == "eno";
+  for_particles(count(), [&](Index i) {
+    const Mat<d> pressure = law_.pressure(next_.density[0][i]) * Mat<d>::Identity();
+    S_[i] = (bonds_are_shear ? Mat<d>(-pressure) : Mat<d>(tensor_at<d>(next_.stress, i) - pressure)) * B_[i];
+  });
+  conservative_forces(next_.bonds, !still && options_.dissipation != "none");
+  for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });
+  outside_.add_loads(time, &next_.F, acceleration_);
+}
+
+template <int d>
+std::optional<OpenAcceleration> Updated<d>::open(const State& state, bool still) {
+  if (load(state)) return std::nullopt;
+  neighbours_.update(x_);
+  const double c0 = law_.sound_speed();
+  for_particles(count(), [&](Index i) {
+    const Moved now = at_end_of_step(state, i);
+    store(now.point, next_, i);
+    next_.density[0][i] = now.density;
+    set_tensor<d>(next_.F, i, now.F);
+    yield_ratio_[i] = now.point.yield_ratio;
+    V_[i] = mass_[i] / now.density;
+    impedance_[i] = now.density * c0;
+  });
+  if (bond_modulus() > 0) {
+    PairHistory kept = state.bonds;
+    kept.move_to(neighbours_.list());
+    stretch_bonds(state, kept, 0.5 * state.last_step);
+  }
+  balance(state.time, still);
+  return OpenAcceleration{acceleration_, outside_.loads()};
+}
+
+template <int d>
 std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt) {
   const double tau = 0.5 * (state.last_step + dt), middle = state.time + 0.5 * dt;
   neighbours_.update(x_);
@@ -86,17 +123,8 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
   for_particles(count(), [&](Index i) { x_[i] += 0.5 * dt * v_[i]; });
   neighbours_.update(x_);
   if (bond_modulus() > 0) next_.bonds.move_to(neighbours_.list());
-  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
-  correct();
-  const bool bonds_are_shear = options_.form == "eno";
-  for_particles(count(), [&](Index i) {
-    const Mat<d> pressure = law_.pressure(next_.density[0][i]) * Mat<d>::Identity();
-    S_[i] = (bonds_are_shear ? Mat<d>(-pressure) : Mat<d>(tensor_at<d>(next_.stress, i) - pressure)) * B_[i];
-  });
-  conservative_forces(next_.bonds);
-  for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });
-  actions_.add_loads(middle, &next_.F, 1 / law_.density, acceleration_);
-  actions_.hold(middle, state.v, acceleration_, unused_);
+  balance(middle, false);
+  outside_.hold(middle, dt, state.v, acceleration_, unused_);
   for_particles(count(), [&](Index i) {
     const Vec<d> v = v_[i] + dt * vector_at<d>(acceleration_, i);
     set_vector<d>(next_.u, i, vector_at<d>(state.u, i) + 0.5 * dt * (v_[i] + v));
@@ -106,7 +134,7 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
   next_.time = state.time + dt;
   next_.step = state.step + 1;
   next_.last_step = dt;
-  actions_.impose(next_.time, next_.u, next_.v, false);
+  outside_.end_step(next_.time, dt, next_.u, next_.v, next_.outside);
   if (auto trouble = load(next_)) return trouble;
   neighbours_.update(x_);
   differentiate(next_);
@@ -115,6 +143,7 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
 
 #define PLUMBLINE_INSTANTIATE(d)                                                             \
   template Updated<d>::Moved Updated<d>::moved(const UpdatedState<d>&, Index, double) const; \
+  template std::optional<OpenAcceleration> Updated<d>::open(const UpdatedState<d>&, bool);   \
   template std::optional<Trouble> Updated<d>::advance_conservative(UpdatedState<d>&, double);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

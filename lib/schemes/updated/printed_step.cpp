@@ -139,8 +139,8 @@ std::optional<Trouble> Updated<d>::advance_printed(State& state, double dt) {
   });
   printed_forces(state);
   for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });
-  actions_.add_loads(middle, &state.F, 1 / law_.density, acceleration_);
-  actions_.hold(middle, state.v, acceleration_, unused_);
+  outside_.add_loads(middle, &state.F, acceleration_);
+  outside_.hold(middle, dt, state.v, acceleration_, unused_);
   for_particles(count(), [&](Index i) {
     const Vec<d> v = v_[i] + dt * vector_at<d>(acceleration_, i);
     set_vector<d>(next_.u, i, vector_at<d>(state.u, i) + 0.5 * dt * (v_[i] + v));
@@ -150,7 +150,7 @@ std::optional<Trouble> Updated<d>::advance_printed(State& state, double dt) {
   next_.time = state.time + dt;
   next_.step = state.step + 1;
   next_.last_step = dt;
-  actions_.impose(next_.time, next_.u, next_.v, false);
+  outside_.end_step(next_.time, dt, next_.u, next_.v, next_.outside);
   for_particles(count(), [&](Index i) { v_[i] = vector_at<d>(next_.v, i); });
   printed_rates(next_, dt);
   if (options_.has_bonds()) sum_up(state, next_, dt);

@@ -124,9 +124,10 @@ std::vector<Statement> Updated<d>::account() const {
   return said;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                     \
-  template Snapshot<d> Updated<d>::snapshot(const UpdatedState<d>&); \
-  template Energy Updated<d>::energy(const UpdatedState<d>&);        \
+#define PLUMBLINE_INSTANTIATE(d)                                                              \
+  template Updated<d>::Moved Updated<d>::at_end_of_step(const UpdatedState<d>&, Index) const; \
+  template Snapshot<d> Updated<d>::snapshot(const UpdatedState<d>&);                          \
+  template Energy Updated<d>::energy(const UpdatedState<d>&);                                 \
   template std::vector<Statement> Updated<d>::account() const;
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

@@ -8,7 +8,7 @@
 
 namespace plumb {
 template <int d>
-Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions)
+Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping)
     : specimen_(std::move(specimen)),
       options_(std::move(options)),
       law_(specimen_.law, specimen_.elastic, options_.deviator == "plane-strain",
@@ -30,7 +30,7 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
                      "a failed particle of that scheme would bear tension",
                      "leave damage_1 out, or use scheme = \"eulerian\"");
   const Index n = cloud.size();
-  actions_ = AppliedActions<d>(actions, cloud, Slots{n, 0, 0, 1});
+  outside_ = OutsideForces<d>(actions, cloud, Slots{n, 0, 0, 1}, {law_.density, damping});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
   x_ = cloud.X;
   v_.assign(x_.size(), Vec<d>::Zero());
@@ -79,7 +79,7 @@ UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
     set_vector<d>(state.u, static_cast<Index>(i), motion.u[i]);
   for (std::size_t i = 0; i < motion.v.size(); ++i)
     set_vector<d>(state.v, static_cast<Index>(i), motion.v[i]);
-  actions_.impose(0, state.u, state.v, true);
+  outside_.start(state.u, state.v);
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
     store(law_.at_rest(), state, i);
@@ -166,6 +166,10 @@ double Updated<d>::step_limit(const State& state) const {
 template <int d>
 std::optional<Trouble> Updated<d>::advance(State& state, double dt) {
   if (auto trouble = load(state)) return trouble;
+  next_.v = state.v;
+  next_.outside = state.outside;
+  outside_.begin_step(dt, next_.v, next_.outside);
+  if (outside_.damps()) for_particles(count(), [&](Index i) { v_[i] = vector_at<d>(next_.v, i); });
   auto trouble = options_.conservative() ? advance_conservative(state, dt) : advance_printed(state, dt);
   if (trouble) return trouble;
   std::swap(state, next_);

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/schemes/apply.hpp"
+#include "lib/schemes/outside.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
 #include "lib/schemes/updated/pair_sums.hpp"
@@ -21,9 +21,9 @@ class Updated {
   using Options = UpdatedOptions;
   using State = UpdatedState<d>;
 
-  /// InputError where the neighbours of a particle do not span the space, two particles are at one place, or
+  /// `damping`: rate [1/s], THEORY (6.7). InputError where the neighbours of a particle do not span the space, two particles are at one place, or
   /// the law does not go with the options.
-  Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions);
+  Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping = 0);
 
   /// At rest in the reference where the motion has no entries. A displacement gives stress and density of the
   /// deformation that it is.
@@ -47,6 +47,10 @@ class Updated {
   long searches() const { return neighbours_.searches(); }
   /// How many corrections were blended with I so far.
   long guarded() const { return guarded_; }
+  const OutsideForces<d>& outside() const { return outside_; }
+  /// Accelerations in this state, without dissipation if it is `still`; of the conservative balance only.
+  std::optional<OpenAcceleration> open(const State& state, bool still);
+  bool opens() const { return options_.conservative(); }
   /// The forces of the last step [N], without loads; empty steps have none.
   const std::vector<Vec<d>>& forces() const { return force_; }
 
@@ -80,7 +84,10 @@ class Updated {
   Moved at_end_of_step(const State& state, Index i) const;
   /// Stretches `before`, which belongs to the list of now, into the room of the next state.
   void stretch_bonds(const State& state, const PairHistory& before, double tau);
-  void conservative_forces(const PairHistory& bonds);
+  void conservative_forces(const PairHistory& bonds, bool dissipates);
+  /// Accelerations at x_ by stress, density and pairs of the next state, and by the loads of that time; without
+  /// dissipation if it is `still`.
+  void balance(double time, bool still);
   double bond_energy(const State& state);
 
   std::optional<Trouble> advance_printed(State& state, double dt);
@@ -92,7 +99,7 @@ class Updated {
   Specimen<d> specimen_;
   UpdatedOptions options_;
   RateLaw<d> law_;
-  AppliedActions<d> actions_;
+  OutsideForces<d> outside_;
   double h_;
   KernelSlope slope_;
   MovingNeighbours<d> neighbours_;

@@ -2,6 +2,7 @@
 #include "lib/core/field.hpp"
 #include "lib/geometry/moving_neighbours.hpp"
 #include "lib/particles/role.hpp"
+#include "lib/schemes/outside.hpp"
 
 namespace plumb {
 
@@ -24,7 +25,8 @@ struct UpdatedState {
   PairHistory bonds;     ///< stretch of each pair that is not in the velocity gradient [m]; conservative
   double last_step = 0;  ///< [s]; 0: there was none
   double age = 0, life = 0;  ///< of the frozen geometry, so far and in all [s]
-  double time = 0;           ///< [s]
+  OutsideWork outside = {};
+  double time = 0;  ///< [s]
   long step = 0;
 
   template <class Visit>
@@ -56,6 +58,7 @@ struct UpdatedState {
     visit("last step", last_step);
     visit("age of the geometry", age);
     visit("life of the geometry", life);
+    outside.whole_fields(visit);
   }
 };
 

@@ -75,6 +75,53 @@ TEST(LoadedPatch, ATurnedBodyStaysWhereItsTractionsHoldIt) {
   }
 }
 
+/// A quadrilateral whose sides and corners lie aslant to the lattice in it, loaded on all sides by the tractions of a uniform
+/// stress: with exact pieces of its sides, at the corners too, they push it nowhere. (It does not stay undeformed: the compatible
+/// boundary vectors of such a cloud are no sums of pieces.)
+TEST(LoadedPatch, TractionsOfAPolygonAslantToItsLatticeAreBalanced) {
+  const Mat<2> F = deformation(), P = first_piola(F), H = F - Mat<2>::Identity();
+  const std::vector<Vec<2>> corners{{0.1, 0}, {1.05, 0.31}, {0.9, 1.2}, {-0.2, 0.7}};
+  std::string text = R"([scene]
+dimension = 2
+max_steps = 100
+[body]
+shape = "polygon"
+spacing = 0.1
+layout = "node"
+[material]
+model = "neo-hookean"
+young = 1e6
+poisson = 0.3
+density = 1000
+[method]
+gradient = "compatible"
+momentum = "adjoint"
+cfl = 0.5
+)";
+  std::string list;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2> a = corners[k], edge = corners[(k + 1) % corners.size()] - a,
+                 N = Vec<2>(edge[1], -edge[0]).normalized();
+    const Vec<2> t = P * N;
+    list += fmt::format("{}[{:.17g}, {:.17g}]", k > 0 ? ", " : "", a[0], a[1]);
+    text += fmt::format(
+        "[[boundary]]\nwhere = \"{:.17g}*X + {:.17g}*Y > {:.17g}\"\nkind = \"traction\"\n"
+        "traction = [\"{:.17g}\", \"{:.17g}\"]\n",
+        N[0], N[1], N.dot(a) - 1e-7, t[0], t[1]);
+  }
+  text.insert(text.find("spacing = 0.1"), "corners = [" + list + "]\n");
+  text += fmt::format("[initial]\ndisplacement = [\"{:.17g}*X + {:.17g}*Y\", \"{:.17g}*X + {:.17g}*Y\"]\n",
+                      H(0, 0), H(0, 1), H(1, 0), H(1, 1));
+  auto simulation = make_simulation<2>(parse_scene(text, "patch.toml")).simulation;
+  RunRecord record;
+  ASSERT_TRUE(run<2>(simulation, {}, record).completed());
+  const Momentum p = simulation.momentum();
+  const double pull = P.norm() * 4 * record.dt.first * 100;  // on sides of about 4 m in all
+  // weights of formulas with 17 digits; some 100 pieces and 100 steps
+  EXPECT_LT(std::hypot(p.linear[0], p.linear[1]), 1e-11 * pull);
+  EXPECT_GT(simulation.energy().kinetic, 0);
+}
+
 /// The force of a pressure on one side is p times its length in the turned and stretched body, along its
 /// normal there: -p cof F N, whatever the law. The other three sides are free, so that it is all of the force.
 TEST(LoadedPatch, APressureOnASidePushesAlongTheNormalOfNow) {

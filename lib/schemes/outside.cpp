@@ -1,0 +1,163 @@
+#include "lib/schemes/outside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace plumb {
+namespace {
+
+/// The held components, each once, in the order of slots; the later one of two boundaries has it.
+template <int d>
+std::vector<typename OutsideForces<d>::Place> places_of(const std::vector<Held<d>>& boundaries,
+                                                        const Slots& slots) {
+  std::vector<typename OutsideForces<d>::Place> all;
+  for (std::size_t n = boundaries.size(); n-- > 0;) {
+    const Held<d>& held = boundaries[n];
+    for (const HeldPlace<d>& place : held.places)
+      all.push_back({slots.of(place.particle), place.component, n, place.at,
+                     !held.steady || held.motion(place.at, place.component, 0).velocity != 0});
+  }
+  const auto key = [](const auto& place) { return std::tuple(place.slot, place.component); };
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+}  // namespace
+
+template <int d>
+OutsideForces<d>::OutsideForces(const Actions<d>& actions, const Cloud<d>& cloud, const Slots& slots,
+                                const Medium& medium)
+    : applied_(actions, cloud, slots),
+      boundaries_(actions.held),
+      held_(places_of<d>(actions.held, slots)),
+      mass_(static_cast<std::size_t>(slots.count()), 0.0),
+      medium_(medium),
+      loaded_(actions.has_loads()),
+      moved_(std::any_of(held_.begin(), held_.end(), [](const Place& place) { return place.moves; })) {
+  for (Held<d>& boundary : boundaries_) std::vector<HeldPlace<d>>().swap(boundary.places);
+  for (Index i = 0; i < cloud.size(); ++i)
+    mass_[static_cast<std::size_t>(slots.of(i))] = medium.density * cloud.V[static_cast<std::size_t>(i)];
+  if (loaded_) loads_ = by_loads_ = Field(d, slots.count(), 0);
+  if (moved_) by_others_.assign(held_.size(), 0.0);
+}
+
+template <int d>
+double OutsideForces<d>::damp(double change, Field& v) const {
+  // held components stay as they are; all others are damped
+  std::vector<double> kept;
+  for (const Place& place : held_) kept.push_back(v[place.component][place.slot]);
+  double twice = 0;
+  for (int k = 0; k < d; ++k)
+    for (Index i = 0; i < count(); ++i) {
+      twice += mass_[i] * v[k][i] * v[k][i];
+      v[k][i] += change * v[k][i];
+    }
+  for (std::size_t n = 0; n < held_.size(); ++n) {
+    const auto& [slot, component, boundary, at, moves] = held_[n];
+    twice -= mass_[slot] * kept[n] * kept[n];
+    v[component][slot] = kept[n];
+  }
+  return change * (1 + 0.5 * change) * twice;
+}
+
+template <int d>
+void OutsideForces<d>::damp_half(double dt, Field& v, OutsideWork& work) const {
+  if (!damps()) return;
+  const double change = std::expm1(-0.5 * medium_.damping * dt);
+  double held = 0;  // what is taken off held components, their supports put on again
+  for (const Place& place : held_) {
+    const double speed = v[place.component][place.slot];
+    held -= mass_[place.slot] * 0.5 * medium_.damping * dt * speed * speed;
+  }
+  work.damping += damp(change, v) + held;
+  work.supports -= held;
+}
+
+template <int d>
+void OutsideForces<d>::begin_step(double dt, Field& v, OutsideWork& work) {
+  damp_half(dt, v, work);
+  if (!loaded_ && !moved_) return;
+  before_ = v;
+  for (int k = 0; k < by_loads_.components(); ++k) std::fill_n(by_loads_[k], count(), 0.0);
+  std::fill(by_others_.begin(), by_others_.end(), 0.0);
+}
+
+template <int d>
+void OutsideForces<d>::add_loads(double time, const Field* F, Field& v_rate) {
+  if (!loaded_) return;
+  for (int k = 0; k < d; ++k)
+    for (Index i = 0; i < count(); ++i) loads_[k][i] = -v_rate[k][i];
+  applied_.add_loads(time, F, 1 / medium_.density, v_rate);
+  for (int k = 0; k < d; ++k)
+    for (Index i = 0; i < count(); ++i) loads_[k][i] += v_rate[k][i];
+}
+
+template <int d>
+void OutsideForces<d>::hold(double time, double weight, const Field& v, Field& v_rate, Field& u_rate) {
+  if (weight != 0) {
+    for (int k = 0; k < loads_.components(); ++k)
+      for (Index i = 0; i < count(); ++i) by_loads_[k][i] += weight * loads_[k][i];
+    for (std::size_t n = 0; n < by_others_.size(); ++n)
+      by_others_[n] += weight * v_rate[held_[n].component][held_[n].slot];
+  }
+  applied_.hold(time, v, v_rate, u_rate);
+}
+
+template <int d>
+void OutsideForces<d>::end_step(double time, double dt, Field& u, Field& v, OutsideWork& work) {
+  applied_.impose(time, u, v, false);
+  double by_loads = 0;
+  for (int k = 0; k < by_loads_.components(); ++k)
+    for (Index i = 0; i < count(); ++i)
+      by_loads += mass_[i] * by_loads_[k][i] * 0.5 * (before_[k][i] + v[k][i]);
+  work.loads += by_loads;
+  double by_supports = 0;
+  for (std::size_t n = 0; n < by_others_.size(); ++n) {
+    const auto& [slot, component, boundary, at, moves] = held_[n];
+    const double from = before_[component][slot], to = v[component][slot];
+    by_supports += mass_[slot] * (to - from - by_others_[n]) * 0.5 * (from + to);
+  }
+  work.supports += by_supports;
+  damp_half(dt, v, work);
+  if (work.rest_rate > 0) damp(std::expm1(-work.rest_rate * dt), v);
+}
+
+template <int d>
+std::vector<NamedEnergy> OutsideForces<d>::named(const OutsideWork& work) const {
+  std::vector<NamedEnergy> works;
+  if (loaded_) works.push_back({"loads", work.loads});
+  if (damps()) works.push_back({"damping", work.damping});
+  if (moved_) works.push_back({"supports", work.supports});
+  return works;
+}
+
+template <int d>
+std::vector<BoundaryForce<d>> OutsideForces<d>::reactions(double time, const OpenAcceleration& open,
+                                                          const Field& v) const {
+  std::vector<BoundaryForce<d>> forces = no_reactions();
+  for (const Place& place : held_) {
+    const Held<d>& boundary = boundaries_[place.boundary];
+    const double prescribed =
+        boundary.steady ? 0 : boundary.motion(place.at, place.component, time).acceleration;
+    const double without =
+        open.all[place.component][place.slot] - medium_.damping * v[place.component][place.slot];
+    forces[place.boundary].force[place.component] += mass_[place.slot] * (prescribed - without);
+  }
+  return forces;
+}
+
+template <int d>
+std::vector<BoundaryForce<d>> OutsideForces<d>::no_reactions() const {
+  std::vector<BoundaryForce<d>> forces;
+  for (const Held<d>& boundary : boundaries_) forces.push_back({boundary.name, Vec<d>::Zero()});
+  return forces;
+}
+
+template class OutsideForces<1>;
+template class OutsideForces<2>;
+template class OutsideForces<3>;
+
+}  // namespace plumb

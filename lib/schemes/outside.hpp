@@ -1,0 +1,102 @@
+#pragma once
+#include <vector>
+
+#include "lib/actions/boundary_force.hpp"
+#include "lib/measures/energy.hpp"
+#include "lib/schemes/apply.hpp"
+
+namespace plumb {
+
+/// What loads, damping and supports have done to a body so far, as a part of its state.
+struct OutsideWork {
+  double loads = 0, damping = 0, supports = 0;  ///< work since the start [J]
+  double rest_rate = 0;                         ///< [1/s]: damping of a relaxation; 0 without one
+
+  /// Numbers of the whole body: visit(name, value).
+  template <class Visit>
+  void whole_fields(Visit&& visit) {
+    visit("work of loads", loads);
+    visit("work of damping", damping);
+    visit("work of supports", supports);
+    visit("rate of relaxation", rest_rate);
+  }
+};
+
+/// Accelerations of all slots without what supports add [m/s^2].
+struct OpenAcceleration {
+  Field all;    ///< by the body's own forces and the loads
+  Field loads;  ///< by the loads alone; no components without loads
+};
+
+/// What acts on a body from outside (loads, damping, supports) in a scheme that steps velocities, with its
+/// work. A step is begin_step(), some evaluations, end_step(); an evaluation is add_loads() and hold(). Loads
+/// and supports do the work of THEORY (8.6); the damping is THEORY (6.7).
+template <int d>
+class OutsideForces {
+ public:
+  OutsideForces() = default;
+  /// What the body and its surroundings are made of.
+  struct Medium {
+    double density;      ///< [kg/m^d]
+    double damping = 0;  ///< rate [1/s]
+  };
+  OutsideForces(const Actions<d>& actions, const Cloud<d>& cloud, const Slots& slots, const Medium& medium);
+
+  bool needs_F() const { return applied_.needs_F(); }  ///< some load is a pressure
+  bool damps() const { return medium_.damping > 0; }
+  /// Puts held components where they are prescribed to be at the start.
+  void start(Field& u, Field& v) const { applied_.impose(0, u, v, true); }
+
+  /// Puts held components where they are prescribed to be within a step.
+  void impose(double time, Field& u, Field& v) const { applied_.impose(time, u, v, false); }
+
+  /// Half of the damping of a step of dt [s].
+  void begin_step(double dt, Field& v, OutsideWork& work);
+  /// Adds the accelerations by the loads at that time [s]. F: by slot, d x d; null where needs_F() is false.
+  void add_loads(double time, const Field* F, Field& v_rate);
+  /// Gives the rates of held components their prescribed values. `weight` [s] is the share that the velocity
+  /// at the end of the step has of these rates; 0: they do not count.
+  void hold(double time, double weight, const Field& v, Field& v_rate, Field& u_rate);
+  /// Puts held components where they are prescribed to be at the end of the step; the other half of the
+  /// damping, and that of a relaxation.
+  void end_step(double time, double dt, Field& u, Field& v, OutsideWork& work);
+
+  const Field& loads() const { return loads_; }  ///< as add_loads() found them; no components without loads
+  /// Work of "loads", "damping" and "supports" of those that there are. [J]
+  std::vector<NamedEnergy> named(const OutsideWork& work) const;
+  /// The force of the supports of each boundary on the body [N], THEORY (5.9); of a component that two
+  /// boundaries hold it belongs to the later one.
+  std::vector<BoundaryForce<d>> reactions(double time, const OpenAcceleration& open, const Field& v) const;
+
+  std::vector<BoundaryForce<d>> no_reactions() const;  ///< of every boundary 0
+
+  /// One held component.
+  struct Place {
+    Index slot;
+    int component;
+    std::size_t boundary;  ///< in Actions::held
+    Vec<d> at;
+    bool moves;  ///< at some time
+  };
+  const std::vector<Place>& held() const { return held_; }   ///< each once, in the order of slots
+  const std::vector<double>& mass() const { return mass_; }  ///< by slot [kg]; 0 where no particle is
+
+ private:
+  Index count() const { return static_cast<Index>(mass_.size()); }
+  /// Multiplies the velocity of what is free by 1 + change, and returns the work of that [J].
+  double damp(double change, Field& v) const;
+  void damp_half(double dt, Field& v, OutsideWork& work) const;
+
+  AppliedActions<d> applied_;
+  std::vector<Held<d>> boundaries_;  ///< without their places
+  std::vector<Place> held_;
+  std::vector<double> mass_;
+  Medium medium_{1};
+  bool loaded_ = false, moved_ = false;
+  Field loads_;
+  // of the present step: velocity at its start, and its changes by loads and by all but the supports
+  Field before_, by_loads_;
+  std::vector<double> by_others_;  ///< per held component [m/s]
+};
+
+}  // namespace plumb
