@@ -9,6 +9,7 @@
 #include <map>
 
 #include "lib/core/error.hpp"
+#include "lib/input/memory_limit.hpp"
 #include "lib/input/point_formats.hpp"
 
 namespace plumb {
@@ -185,8 +186,10 @@ bool is_hdf5(const std::string& bytes) {
 PointFile parse_hdf5(const std::string& bytes, const std::string& file_name) {
   const Quiet quiet;
   if (!first_block_fits(bytes)) refuse(file_name, "HDF5 cannot open it", "it is damaged or cut off");
+  constexpr std::size_t packing = 1100;                   // zlib packs at most by 1032
+  constexpr std::size_t own = 256 << 20;                  // of the library, and of an allocator's arenas
+  const MemoryLimit limit(own + packing * bytes.size());  // HDF5 1.10 believes the sizes in headers
   const File file(bytes, file_name);
-  constexpr std::size_t packing = 1100;  // zlib packs at most by 1032
   Search search{bytes.size() * packing / sizeof(double), {}};
   if (H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, look_at, &search, H5O_INFO_BASIC) < 0)
     refuse(file_name, "HDF5 cannot read its groups", "it is damaged");
