@@ -9,7 +9,8 @@
 #include <map>
 
 #include "lib/core/error.hpp"
-#include "lib/input/memory_limit.hpp"
+#include "lib/input/own_process.hpp"
+#include "lib/input/point_bytes.hpp"
 #include "lib/input/point_formats.hpp"
 
 namespace plumb {
@@ -177,18 +178,11 @@ std::string listed(const std::vector<DataSet>& sets) {
   return words.empty() ? "it has no data sets of numbers" : "its data sets are " + join(words);
 }
 
-}  // namespace
+constexpr std::size_t packing = 1100;  // zlib packs at most by 1032
 
-bool is_hdf5(const std::string& bytes) {
-  return bytes.starts_with("\x89HDF\r\n\x1a\n");
-}
-
-PointFile parse_hdf5(const std::string& bytes, const std::string& file_name) {
+/// In the process that may break.
+PointFile read_here(const std::string& bytes, const std::string& file_name) {
   const Quiet quiet;
-  if (!first_block_fits(bytes)) refuse(file_name, "HDF5 cannot open it", "it is damaged or cut off");
-  constexpr std::size_t packing = 1100;                   // zlib packs at most by 1032
-  constexpr std::size_t own = 256 << 20;                  // of the library, and of an allocator's arenas
-  const MemoryLimit limit(own + packing * bytes.size());  // HDF5 1.10 believes the sizes in headers
   const File file(bytes, file_name);
   Search search{bytes.size() * packing / sizeof(double), {}};
   if (H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, look_at, &search, H5O_INFO_BASIC) < 0)
@@ -210,6 +204,31 @@ PointFile parse_hdf5(const std::string& bytes, const std::string& file_name) {
   out.columns = columns_of(file.id(), sets, out.count, file_name);
   out.time = time_of(file.id(), group);
   return out;
+}
+
+}  // namespace
+
+bool is_hdf5(const std::string& bytes) {
+  return bytes.starts_with("\x89HDF\r\n\x1a\n");
+}
+
+/// HDF5 1.10 believes the sizes and kinds in a file's headers: of damaged ones it takes memory and time without
+/// end, and some end it.
+PointFile parse_hdf5(const std::string& bytes, const std::string& file_name) {
+  if (!first_block_fits(bytes)) refuse(file_name, "HDF5 cannot open it", "it is damaged or cut off");
+  constexpr std::size_t own = 256 << 20;       // of the library, and of an allocator's arenas
+  constexpr std::size_t per_second = 1 << 20;  // less than any disc gives
+  const auto read = made_in_own_process(
+      [&] {
+        try {
+          return bytes_of(read_here(bytes, file_name));
+        } catch (const InputError& error) {
+          return bytes_of(error);
+        }
+      },
+      {own + packing * bytes.size(), 10 + bytes.size() / per_second});
+  if (!read) refuse(file_name, "HDF5 cannot read it", "it is damaged");
+  return points_of(*read);
 }
 
 }  // namespace plumb
