@@ -36,16 +36,16 @@ const std::vector<Choice> choices = {{"dimension", {"2", "3"}},
                                      {"eta2", {"0", "0.3"}},
                                      {"hourglass", {"none", "0.7"}},
                                      {"projection", {"no", "yes"}}};
-using Row = std::vector<std::size_t>;  ///< per choice, the place of its value
+using Picks = std::vector<std::size_t>;  ///< per choice, the place of its value
 
-const std::string& value(const Row& row, std::string_view name) {
+const std::string& value(const Picks& row, std::string_view name) {
   for (std::size_t c = 0; c < choices.size(); ++c)
     if (choices[c].name == name) return choices[c].values[row[c]];
   throw std::logic_error("no such choice");
 }
 
 /// What no scene can have: images need the rollers, and neither springs nor the projection know of them.
-bool possible(const Row& row) {
+bool possible(const Picks& row) {
   return value(row, "layout") != "mirror" ||
          (value(row, "rollers") == "two" && value(row, "hourglass") == "none" &&
           value(row, "projection") == "no");
@@ -53,15 +53,15 @@ bool possible(const Row& row) {
 
 using Pairs = std::set<std::array<std::size_t, 4>>;  ///< two choices and their values
 
-Pairs pairs_of(const Row& row) {
+Pairs pairs_of(const Picks& row) {
   Pairs pairs;
   for (std::size_t a = 0; a < row.size(); ++a)
     for (std::size_t b = a + 1; b < row.size(); ++b) pairs.insert({a, row[a], b, row[b]});
   return pairs;
 }
 
-Row random_row(test::Numbers& numbers) {
-  Row row;
+Picks random_picks(test::Numbers& numbers) {
+  Picks row;
   for (const auto& choice : choices)
     row.push_back(
         static_cast<std::size_t>(0.5 * (1 + numbers.next()) * static_cast<double>(choice.values.size())));
@@ -69,17 +69,17 @@ Row random_row(test::Numbers& numbers) {
 }
 
 /// Rows that hold every possible pair: of fifty random rows always the one with most pairs that are new.
-std::vector<Row> covering_rows() {
+std::vector<Picks> covering_rows() {
   test::Numbers numbers(11);
   Pairs missing;
   for (int n = 0; n < 4000; ++n)
-    if (const Row row = random_row(numbers); possible(row)) missing.merge(pairs_of(row));
-  std::vector<Row> rows;
+    if (const Picks row = random_picks(numbers); possible(row)) missing.merge(pairs_of(row));
+  std::vector<Picks> rows;
   while (!missing.empty()) {
-    Row best;
+    Picks best;
     std::size_t most = 0;
     for (int n = 0; n < 50; ++n) {
-      const Row row = random_row(numbers);
+      const Picks row = random_picks(numbers);
       if (!possible(row)) continue;
       std::size_t news = 0;
       for (const auto& pair : pairs_of(row)) news += missing.count(pair);
@@ -92,7 +92,7 @@ std::vector<Row> covering_rows() {
   return rows;
 }
 
-std::string scene_of(const Row& row) {
+std::string scene_of(const Picks& row) {
   const auto v = [&](std::string_view name) { return value(row, name); };
   const bool flat = v("dimension") == "2";
   std::string text = fmt::format(
@@ -113,7 +113,7 @@ std::string scene_of(const Row& row) {
   return text;
 }
 
-test::PlainChoices plain_choices(const Row& row) {
+test::PlainChoices plain_choices(const Picks& row) {
   test::PlainChoices o{value(row, "kernel"),
                        value(row, "pair"),
                        value(row, "gradient"),
@@ -146,7 +146,7 @@ std::vector<Vec<d>> forces_of(TlsphBody<d>& body) {
 /// Particles within `reach` of the lower face of an axis are held there. A roller's layer is on the face of a
 /// node layout and half a spacing inside of a cell layout, jitter added.
 template <int d>
-void hold(const Cloud<d>& cloud, const Row& row, std::vector<Vec<d>>& f) {
+void hold(const Cloud<d>& cloud, const Picks& row, std::vector<Vec<d>>& f) {
   if (value(row, "rollers") == "none" || value(row, "layout") == "mirror") return;
   const double reach = value(row, "layout") == "cell" ? 0.9 * cloud.spacing : 1e-9;
   for (Index i = 0; i < cloud.size(); ++i)
@@ -166,7 +166,7 @@ std::pair<double, double> compare(const std::vector<Vec<d>>& a, const std::vecto
 }
 
 template <int d>
-void check(const Row& row) {
+void check(const Picks& row) {
   SCOPED_TRACE(scene_of(row));
   auto body = make_tlsph<d>(parse_scene(scene_of(row), "pairs.toml"));
   const Cloud<d>& cloud = body.solid.cloud;
@@ -210,7 +210,7 @@ void check(const Row& row) {
 TEST(OptionsTogether, EveryPairGivesTheForcesOfAPlainImplementation) {
   const auto rows = covering_rows();
   EXPECT_LT(rows.size(), 40u);
-  for (const Row& row : rows) value(row, "dimension") == "2" ? check<2>(row) : check<3>(row);
+  for (const Picks& row : rows) value(row, "dimension") == "2" ? check<2>(row) : check<3>(row);
 }
 
 }  // namespace

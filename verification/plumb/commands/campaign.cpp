@@ -14,6 +14,7 @@
 #include "verification/plumb/fit_text.hpp"
 #include "verification/plumb/foreign/campaign_run.hpp"
 #include "verification/plumb/foreign/judge_particles.hpp"
+#include "verification/plumb/optional_json.hpp"
 #include "verification/plumb/run/interrupt.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -28,10 +29,6 @@ struct CampaignOptions {
   int jobs = 1;
   bool judge = false;
 };
-
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
 
 Json json_of(const CampaignResult& result) {
   Json row{{"folder", result.run.folder}, {"d", result.run.spacing}, {"run", result.run.number}};

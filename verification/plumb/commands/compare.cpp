@@ -11,6 +11,7 @@
 #include "reports/picture.hpp"
 #include "verification/plumb/commands.hpp"
 #include "verification/plumb/foreign/compare_runs.hpp"
+#include "verification/plumb/optional_json.hpp"
 #include "verification/plumb/session.hpp"
 
 namespace plumb::app {
@@ -23,10 +24,6 @@ struct CompareOptions {
   PointOptions points;
   std::optional<double> within;
 };
-
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
 
 void draw_differences(const Session& session, const std::vector<Difference>& all, double size) {
   reports::Picture picture;

@@ -52,7 +52,7 @@ int against_reference(const Session& session, const ExtrapolateOptions& options)
   const OrderFit fit = fit_order(errors_against(samples, {options.reference[0], options.reference[1]},
                                                 options.order.value_or(assumed_order)));
   const std::string verdict(options.order ? name_of(judge(fit, *options.order)) : name_of(classify(fit)));
-  const std::string_view status = status_of({{verdict, options.order.has_value()}});
+  const std::string_view status = plumb::status_of({{verdict, options.order.has_value()}});
   session.text() << fits_text({{"error", fit, options.order, verdict}}) << "status: " << status << '\n';
   session.write_json({{"order", fit.order},
                       {"ci95", {fit.lower, fit.upper}},

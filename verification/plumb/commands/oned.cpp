@@ -16,6 +16,7 @@
 #include "verification/plumb/oned_pictures.hpp"
 #include "verification/plumb/oned_profile.hpp"
 #include "verification/plumb/oned_study.hpp"
+#include "verification/plumb/optional_json.hpp"
 #include "verification/plumb/row_output.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -125,12 +126,11 @@ Json norms_of(const Session& session, const OnedVariant& variant, const oned::Gr
     const std::string& field = table.fields[column.field];
     session.text() << errors_text(variant.named(name_of_method(column.method) + ", " + field), norms);
     Json row{{"estimator", column.method.estimator}, {"pair", name_of(column.method.pair)}, {"field", field}};
-    const auto optional = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
     row.update({{"rmse", norms.rmse},
                 {"max", norms.max},
-                {"interior_rmse", optional(norms.interior_rmse)},
-                {"interior_max", optional(norms.interior_max)},
-                {"boundary_max", optional(norms.boundary_max)}});
+                {"interior_rmse", optional_json(norms.interior_rmse)},
+                {"interior_max", optional_json(norms.interior_max)},
+                {"boundary_max", optional_json(norms.boundary_max)}});
     row.update(variant.keys);
     all.push_back(std::move(row));
   }
@@ -182,8 +182,8 @@ int response(const Session& session, const OnedOptions& options, Index points) {
     }
     for (const auto& r : oned::resolutions(v.kernel, ratio, options.methods(), {0.01, 0.1})) {
       Json row{{"estimator", r.estimator}, {"pair", name_of(r.pair)}, {"error", r.error}};
-      row["theta"] = r.theta ? Json(*r.theta) : Json();
-      row["particles_per_wave"] = r.particles_per_wave ? Json(*r.particles_per_wave) : Json();
+      row["theta"] = optional_json(r.theta);
+      row["particles_per_wave"] = optional_json(r.particles_per_wave);
       row.update(variant.keys);
       limits.push_back(std::move(row));
     }
