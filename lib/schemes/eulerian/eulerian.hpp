@@ -6,7 +6,7 @@
 #include "lib/schemes/apply.hpp"
 #include "lib/schemes/eulerian/eulerian_options.hpp"
 #include "lib/schemes/eulerian/eulerian_state.hpp"
-#include "lib/schemes/eulerian/reference.hpp"
+#include "lib/schemes/eulerian/reference_pairs.hpp"
 #include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"

@@ -76,7 +76,8 @@ TEST(EulerianBodies, AFailedParticleIsNotGluedToItsNeighbours) {
   double others = 0;
   for (Index i = 0; i < cloud.size(); ++i) others = std::max(others, vector_at<2>(state.hourglass, i).norm());
   EXPECT_GT(others, 0);
-  for (const auto& more : body.snapshot(state).more)
+  const Snapshot<2> shown = body.snapshot(state);
+  for (const auto& more : shown.more)
     if (more.name == "damage") {
       EXPECT_EQ(more.values[k], 1);
     }
