@@ -1,9 +1,13 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/core/error.hpp"
 #include "lib/core/quantity.hpp"
@@ -86,10 +90,26 @@ struct JohnsonCook {
     if (p.melting_temperature && *p.melting_temperature <= p.reference_temperature)
       throw InputError("melting_temperature is not above reference_temperature",
                        "nothing could soften between them", "give a higher melting_temperature");
+  }
+
+  /// Triaxiality -P/q from which on the first factor of eps_f is negative, so that the floor holds; nothing:
+  /// there is none.
+  std::optional<double> triaxiality_of_floor() const {
+    const double D1 = p.damage_1.value_or(0);
+    if (!(D1 < 0 && p.damage_2 > 0 && p.damage_3 < 0)) return std::nullopt;
+    return std::log(-D1 / p.damage_2) / p.damage_3;
+  }
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> found;
     if (p.melting_temperature && temperature_at_start() < p.reference_temperature)
-      throw InputError("temperature is below reference_temperature",
-                       "the law softens from there on, and says nothing of the cold",
-                       "give reference_temperature, or a lower reference_temperature");
+      found.emplace_back(
+          "temperature is below reference_temperature: the yield stress is that of the latter");
+    if (const auto s = triaxiality_of_floor())
+      found.push_back(
+          fmt::format("the strain at fracture is negative above a triaxiality of {:.4g}: there it is "
+                      "fracture_floor = {:g}",
+                      *s, p.fracture_floor));
+    return found;
   }
 
   /// What a point keeps.
@@ -99,9 +119,7 @@ struct JohnsonCook {
     double damage = 0;       ///< D
   };
   double temperature_at_start() const { return p.temperature.value_or(p.reference_temperature); }
-  History at_start() const { return {0, temperature_at_start(), 0}; }
   bool damages() const { return p.damage_1.has_value(); }
-  bool failed(const History& h) const { return damages() && h.damage >= 1; }
 
   /// T* in [0, 1].
   double warmth(double T) const {

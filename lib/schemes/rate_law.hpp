@@ -40,6 +40,9 @@ Mat<d> turn_of(const Mat<d>& W) {
   return (I - 0.5 * W).inverse() * (I + 0.5 * W);
 }
 
+/// The time [s] of a step that is made so slowly that rates do not count.
+inline constexpr double slowly = std::numeric_limits<double>::infinity();
+
 /// Stress by rates, (4), (8) and (14) of paper 002 and (12) to (14) of paper 001: linear pressure of the
 /// density, a deviator that turns with the body, and radial return of its elastic trial to a yield stress. The
 /// elastic laws of the catalogue give their bulk and shear modulus, with which they agree for small strains.
@@ -74,6 +77,7 @@ class RateLaw {
 
   bool yields() const { return yield_.has_value() || cook_.has_value(); }
   const std::optional<JohnsonCook>& johnson_cook() const { return cook_; }
+  std::vector<std::string> warnings() const { return cook_ ? cook_->warnings() : std::vector<std::string>{}; }
   double sound_speed() const { return std::sqrt(bulk / density); }  ///< c_0 [m/s]: of the bulk modulus
   /// p [Pa] at that density (4), or the tension limit.
   double pressure(double rho) const { return std::max(bulk * (rho / density - 1), least_pressure_); }

@@ -46,6 +46,8 @@ const std::map<std::pair<std::string, std::string>, std::pair<std::string, std::
       {{"compatible volume", "fixed"}, {"volumes are those of the Voronoi cells", ""}},
       {{"compatible surface", "shape"}, {"the surface is that of the body's shape", ""}},
       {{"compatible surface", "estimated"}, {"the surface is guessed from the particles", ""}},
+      {{"material", "johnson-cook"},
+       {"hardening, rates, heating and damage, of schemes that integrate stress by rates", "THEORY (4.17)"}},
       {{"plane", "strain"}, {"of bodies in 2D: no strain across the plane", ""}},
       {{"plane", "stress"}, {"of bodies in 2D: no stress across the plane", "THEORY (4.10)"}},
       {{"jst level", "symmetric"}, {"as the paper prints it", "THEORY (6.1)"}},

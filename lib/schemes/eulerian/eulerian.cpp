@@ -90,7 +90,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
     state.density[0][i] = law_.density / F.determinant();
     Point point = law_.at_rest();
     point.s = law_.deviator_of(F);
-    law_.give_back(point, 0, state.density[0][i]);
+    law_.give_back(point, slowly, state.density[0][i]);
     store(point, state, i);
   }
   for (Index i = 0; i < count(); ++i) V_[i] = mass_[i] / state.density[0][i];

@@ -6,7 +6,7 @@
 #include "lib/schemes/apply.hpp"
 #include "lib/schemes/eulerian/eulerian_options.hpp"
 #include "lib/schemes/eulerian/eulerian_state.hpp"
-#include "lib/schemes/eulerian/reference.hpp"
+#include "lib/schemes/eulerian/reference_pairs.hpp"
 #include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
@@ -38,7 +38,7 @@ class Eulerian {
   static constexpr int evaluations_per_step = 1;
   /// Pairs nearer than the kernel's reach, at the last geometry.
   NeighbourCounts neighbours() const { return counts_; }
-  std::vector<std::string> warnings() const { return options_.warnings(); }
+  std::vector<std::string> warnings() const;
 
   const EulerianOptions& options() const { return options_; }
   const RateLaw<d>& law() const { return law_; }

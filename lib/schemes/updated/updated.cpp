@@ -106,7 +106,7 @@ void Updated<d>::deform(State& state, const InitialMotion<d>& motion) {
     const Mat<d> F = Mat<d>::Identity() + row.minus_sum(row.v) * row.minus_sum(row.r).inverse();
     Point point = law_.at_rest();
     point.s = law_.deviator_of(F);
-    law_.give_back(point, 0, law_.density / F.determinant());
+    law_.give_back(point, slowly, law_.density / F.determinant());
     store(point, state, i);
     state.density[0][i] = law_.density / F.determinant();
     set_tensor<d>(state.F, i, F);

@@ -1,6 +1,5 @@
 // What must hold for every state of the scheme of paper 001: exact gradients, momenta, powers, works.
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "lib/schemes/point_fields.hpp"
 #include "tests/support/eulerian.hpp"
@@ -213,55 +212,6 @@ TEST(EulerianLaws, TheStressReceivesWhatTheAdjointForceTakes) {
   EXPECT_LT(std::abs(coarse), 1e-3);
   EXPECT_NEAR(coarse / fine, 16, 1);  // the next order is of the step squared
   EXPECT_GT(std::abs(missed("printed", 0.1)), 1e-2);
-}
-
-/// Kinetic energy that is left and radius of gyration over the first, of a square of 10 x 10 that spins at 0.11 c_p, after
-/// 1000 steps.
-struct Spun {
-  double kinetic, radius, spin;
-};
-Spun spun(const std::string& force, const std::string& damping) {
-  const Cloud<2> cloud = cells<2>({10, 10}, 0.1);
-  EulerianOptions o;
-  o.force = force;
-  o.damping = damping;
-  auto body = eulerian_body<2>(cloud, o);
-  auto state = body.start(turning<2>(cloud, 0.11 * body.wave_speed() / 0.5));
-  const BodySums<2> before = body_sums<2>(body.snapshot(state));
-  const double kinetic = body.energy(state).kinetic;
-  advance_by(body, state, 1000);
-  const BodySums<2> after = body_sums<2>(body.snapshot(state));
-  return {body.energy(state).kinetic / kinetic, std::sqrt(after.inertia / before.inertia),
-          after.spin / before.spin};
-}
-
-TEST(EulerianLaws, ASpinningPlateIsInflatedByExtrapolatedVelocitiesOnly) {
-  const Spun objective = spun("adjoint", "objective"), extrapolated = spun("adjoint", "extrapolated"),
-             printed = spun("printed", "extrapolated");
-  EXPECT_NEAR(objective.spin, 1, 1e-12);  // a thousand steps of round-off
-  EXPECT_GT(objective.kinetic, 0.98);
-  EXPECT_NEAR(objective.radius, 1, 0.02);  // stretched by its spin
-  EXPECT_LT(extrapolated.kinetic, objective.kinetic - 0.02);
-  EXPECT_GT(extrapolated.radius, objective.radius + 0.01);
-  EXPECT_GT(std::abs(printed.spin - 1), 1e-6);
-}
-
-TEST(EulerianLaws, SameBitsForOneAndTwoThreads) {
-  const Cloud<2> cloud = cells<2>({40, 40}, 0.05);
-  const int threads = omp_get_max_threads();
-  std::vector<EulerianState<2>> ends;
-  for (const int n : {1, 2}) {
-    omp_set_num_threads(n);
-    auto body = eulerian_body<2>(cloud, EulerianOptions{});
-    ends.push_back(body.start(rough_motion<2>(cloud)));
-    advance_by(body, ends.back(), 3);
-  }
-  omp_set_num_threads(threads);
-  for (Index i = 0; i < cloud.size(); ++i) {
-    ASSERT_EQ(vector_at<2>(ends[0].u, i), vector_at<2>(ends[1].u, i)) << i;
-    ASSERT_EQ(tensor_at<2>(ends[0].stress, i), tensor_at<2>(ends[1].stress, i)) << i;
-  }
-  EXPECT_EQ(ends[0].work.stress, ends[1].work.stress);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "lib/schemes/eulerian/reference.hpp"
+#include "lib/schemes/eulerian/reference_pairs.hpp"
 
 namespace plumb {
 

@@ -64,6 +64,13 @@ Energy Eulerian<d>::energy(const State& state) {
 }
 
 template <int d>
+std::vector<std::string> Eulerian<d>::warnings() const {
+  std::vector<std::string> found = options_.warnings();
+  for (auto& of_law : law_.warnings()) found.push_back(std::move(of_law));
+  return found;
+}
+
+template <int d>
 std::vector<Statement> Eulerian<d>::account() const {
   std::vector<Statement> said;
   const auto add = [&](const char* topic, std::string text, const char* where) {
@@ -108,6 +115,7 @@ std::vector<Statement> Eulerian<d>::account() const {
 #define PLUMBLINE_INSTANTIATE(d)                                       \
   template Snapshot<d> Eulerian<d>::snapshot(const EulerianState<d>&); \
   template Energy Eulerian<d>::energy(const EulerianState<d>&);        \
+  template std::vector<std::string> Eulerian<d>::warnings() const;     \
   template std::vector<Statement> Eulerian<d>::account() const;
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
