@@ -7,7 +7,8 @@
 namespace plumb::testing {
 namespace {
 
-static_assert(Scheme<Eulerian<1>, 1> && Scheme<Eulerian<2>, 2> && Scheme<Eulerian<3>, 3>);
+static_assert(plumb::Scheme<Eulerian<1>, 1> && plumb::Scheme<Eulerian<2>, 2> &&
+              plumb::Scheme<Eulerian<3>, 3>);
 
 /// Every variant that differs in its sums.
 std::vector<EulerianOptions> variants() {
