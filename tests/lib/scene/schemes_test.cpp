@@ -282,7 +282,10 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("implicit", "[initial]\nvelocity = [\"1\", \"0\"]\n").find("an equilibrium has none"),
             std::string::npos);
   EXPECT_NE(refusal("updated", "kernel = \"cubic\"\n").find("section [updated] chooses"), std::string::npos);
-  EXPECT_NE(refusal("updated", "[damping]\nrate = 5\n").find("contradicts scheme = \"updated\""),
+  for (const char* scheme : {"mixed", "updated", "element"})
+    EXPECT_EQ(refusal(scheme, "[damping]\nrate = 5\n"), "accepted") << scheme;
+  EXPECT_NE(refusal("element", by_newton("linear") + "[damping]\nrate = 5\n")
+                .find("contradicts solve = \"newton\""),
             std::string::npos);
   EXPECT_NE(refusal("mixed", "[updated]\n").find("belongs to scheme = \"updated\""), std::string::npos);
   EXPECT_NE(refusal("updated", "[updated]\nrotation = \"mean\"\n").find("turns with the pair"),
@@ -293,7 +296,7 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("tlsph", "[element]\n").find("belongs to scheme = \"element\""), std::string::npos);
   EXPECT_NE(refusal("element", "kernel = \"cubic\"\n").find("method.kernel"), std::string::npos);
   EXPECT_NE(refusal("element", "[implicit]\n").find("Newton's method"), std::string::npos);
-  EXPECT_NE(refusal("element", "[element]\nalpha = 1\n").find("only elements with one point"),
+  EXPECT_NE(refusal("element", "[element]\nalpha = 1\n").find("elements with one point need"),
             std::string::npos);
   EXPECT_EQ(refusal("element", by_newton("linear") + "[implicit]\nsteps = 2\n"), "accepted");
   EXPECT_EQ(refusal("element", "[element]\norder = \"reduced\"\nalpha = 1\n"), "accepted");
