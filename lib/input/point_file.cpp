@@ -81,9 +81,10 @@ void sort_by_id(PointFile& file, const std::string& name) {
 void take_positions(PointFile& file, const std::string& name) {
   if (!file.positions.empty()) return;
   const PointColumn* at = file.find(position_names());
-  if (at == nullptr || at->components > 3 || at->components < 2)
+  if (at == nullptr || at->components > 3)
     throw InputError(fmt::format("{} has no positions", name), "they stand in columns x, y and, in 3D, z",
                      fmt::format("its columns are {}", join(file.names())));
+  file.axes = at->components;
   for (std::size_t k = 0; k < file.count; ++k)
     for (std::size_t c = 0; c < 3; ++c)
       file.positions.push_back(c < static_cast<std::size_t>(at->components)
@@ -124,12 +125,27 @@ std::vector<std::string> PointFile::names() const {
   return all;
 }
 
+/// Endings of the columns of a bar, whose vectors and tensors have one component.
+const std::vector<std::vector<std::string>>& endings_of_bar() {
+  static const std::vector<std::vector<std::string>> all{{"xx"}, {"11"}, {"x"}, {"X"}};
+  return all;
+}
+
+/// Whether a table has an axis x and no other.
+bool is_of_bar(const std::vector<std::string>& names) {
+  const auto has = [&](const char* axis) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const auto& name) { return boost::iequals(name, axis); });
+  };
+  return has("x") && !has("y");
+}
+
 std::vector<PointColumn> grouped_columns(const std::vector<std::string>& names,
                                          const std::vector<std::vector<double>>& rows) {
   std::vector<PointColumn> columns;
   for (std::size_t first = 0; first < names.size();) {
     PointColumn column{names[first], 1, {}};
-    for (const auto& all : endings())
+    for (const auto& all : is_of_bar(names) ? endings_of_bar() : endings())
       if (const auto stem = common_stem(names, first, all)) {
         column = {*stem, static_cast<int>(all.size()), {}};
         break;

@@ -6,8 +6,10 @@
 #include <random>
 
 #include "lib/scene/study.hpp"
+#include "mms/annulus.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/static_study.hpp"
+#include "mms/static_surface.hpp"
 
 namespace plumb::mms {
 namespace {
@@ -163,6 +165,34 @@ density = 1000
     const Study study = parse_study(text + "[method]\nscheme = \"" + scheme + "\"\n", "ring.toml");
     EXPECT_THROW(run_study(study), InputError) << scheme;
   }
+}
+
+// The hole of the plate is free and its outer circle is displaced, so that no particle of the hole is prescribed.
+TEST(LoadedSolutions, AStaticStudyKnowsTheTwoCirclesApart) {
+  const Study study = parse_study(R"(
+[study]
+name = "static"
+solution = "kirsch-plate"
+periods = 1
+spacings = [0.25, 0.125]
+[body]
+origin = [-2, -2]
+size = [4, 4]
+layout = "node"
+[material]
+model = "linear-elastic"
+young = 1e6
+poisson = 0.3
+density = 1000
+)",
+                                  "static.toml", {}, {}, StudyOf::equilibrium);
+  const Manufactured<2> m = field("kirsch-plate", {{1e6, 0.3, 1000}, Plane::strain});
+  const Cloud<2> cloud = polar_cloud(1, 2, 0.25);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(2 * cloud.size()), load = u;
+  const auto prescribed = surface_conditions<2>(study, m, cloud, 0, u, load);
+  EXPECT_GT(prescribed.size(), 2u * 40);  // around 2 pi 2/0.25 = 50 particles
+  for (const Prescribed& one : prescribed)
+    EXPECT_NEAR(cloud.X[static_cast<std::size_t>(one.unknown / 2)].norm(), 2, 1e-12);
 }
 
 // Two levels are no order, but errors of the sizes that d^2 gives. Without the traction, or with its sign

@@ -66,6 +66,17 @@ TEST(LoadsOfAScene, ATractionAndAPressureLoadTheirFace) {
   EXPECT_NEAR(p.linear[1], 0.5 * 2e6 * 4e-6 + 1e3 * 0.5 * 2e-3, 2e-3 * 5);
 }
 
+/// The integral of a ramp over its time is half of that time.
+TEST(LoadsOfAScene, APressureAndATractionGrowWithTheirRamps) {
+  const TlsphBody<2> s = after(
+      "[[boundary]]\nface = \"x+\"\nkind = \"pressure\"\npressure = \"1 kPa\"\nramp = \"1 ms\"\n"
+      "[[boundary]]\nface = \"y+\"\nkind = \"traction\"\ntraction = [0, \"1 kPa\"]\nramp = \"2 ms\"\n");
+  const Momentum p = momentum_of(s.solid, s.state);
+  // Verlet's trapezoidal rule on some 70 steps, and a face that turns by strains of 1e-4
+  EXPECT_NEAR(p.linear[0], -1e3 * 1.5e-3, 2e-3 * 1.5);
+  EXPECT_NEAR(p.linear[1], 1e3 * 1e-3, 2e-3 * 1);
+}
+
 TEST(LoadsOfAScene, APrescribedDisplacementIsThereAtTheEnd) {
   const TlsphBody<2> s = after(
       "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n"

@@ -11,6 +11,7 @@
 #include "lib/scene/simulation.hpp"
 #include "lib/schemes/mixed/mixed.hpp"
 #include "lib/schemes/updated/updated.hpp"
+#include "tests/support/loadings.hpp"
 
 namespace plumb {
 namespace {
@@ -222,21 +223,10 @@ TEST(Outside, AStepThatFailsChangesNothing) {
   }
 }
 
-struct Loading {
-  const char* name;
-  const char* text;
-};
-constexpr Loading loadings[] = {
-    {"weight", "[load]\ngravity = [\"3\", \"-10\"]\n"},
-    {"pressure", "[[boundary]]\nface = \"y+\"\nkind = \"pressure\"\npressure = \"1e5\"\n"},
-    {"displacement",
-     "[[boundary]]\nface = \"y+\"\nkind = \"displacement\"\ndisplacement = [\"0.1\", \"0.2\"]\nramp = "
-     "0.2\n"}};
-
 /// Elements that come to rest in time and Newton's method on the same mesh find one equilibrium, with the same reactions.
 TEST(Outside, ElementsComeToRestWhereNewtonsMethodFindsTheEquilibrium) {
   for (const char* order : {"linear", "reduced", "quadratic"})
-    for (const auto& [name, text] : loadings) {
+    for (const auto& [name, text] : testing::loadings) {
       SCOPED_TRACE(std::string(order) + ", " + name);
       const std::string stands = std::string("[[boundary]]\nface = \"y-\"\nkind = \"clamped\"\n") + text;
       const auto element = [&](const std::string& more) {

@@ -8,6 +8,7 @@
 #include "lib/run/output_fields.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/simulation.hpp"
+#include "tests/support/loadings.hpp"
 
 namespace plumb {
 namespace {
@@ -31,21 +32,9 @@ kind = "clamped"
                      "test.toml");
 }
 
-struct Loading {
-  const char* name;
-  const char* text;
-};
-
-constexpr Loading loadings[] = {
-    {"weight", "[load]\ngravity = [\"3\", \"-10\"]\n"},
-    {"pressure", "[[boundary]]\nface = \"y+\"\nkind = \"pressure\"\npressure = \"1e5\"\n"},
-    {"displacement",
-     "[[boundary]]\nface = \"y+\"\nkind = \"displacement\"\ndisplacement = [\"0.1\", \"0.2\"]\nramp = "
-     "0.2\n"}};
-
 /// Explicit relaxation and the direct solve find the same equilibrium, with the same reactions.
 TEST(Relaxation, FindsTheEquilibriumOfTheDirectSolve) {
-  for (const auto& [name, text] : loadings) {
+  for (const auto& [name, text] : testing::loadings) {
     auto rest = make_simulation<2>(block(std::string(text) + "[relaxation]\nresidual = 1e-9\n")).simulation;
     auto direct =
         make_simulation<2>(block(std::string(text) + "[method]\nscheme = \"implicit\"\n")).simulation;
@@ -144,6 +133,89 @@ displacement = ["t^2", "3*t^2"]
   ASSERT_EQ(reactions.size(), 1u);
   EXPECT_NEAR(reactions[0].force[0], 2 * 500, 1e-6 * 500);  // rounding of second differences of the formula
   EXPECT_NEAR(reactions[0].force[1], 6 * 500, 1e-6 * 500);
+}
+
+/// What moves on a prescribed path keeps its velocity: only free motion is damped.
+TEST(Relaxation, LeavesHeldComponentsTheirVelocity) {
+  auto simulation = make_simulation<2>(block("[[boundary]]\nface = \"y+\"\nkind = \"displacement\"\n"
+                                             "displacement = [\"0.1*t\", \"0.2*t^2\"]\n[relaxation]\n"))
+                        .simulation;
+  const Snapshot<2> first = simulation.snapshot();
+  std::size_t held = 0;
+  while (first.X[held][1] < 1 - 1e-9) ++held;
+  simulation.control.max_steps = 60;  // from the tenth on there is a rate of damping
+  RunRecord history;
+  run<2>(
+      simulation,
+      [&] {
+        const Vec<2> v = simulation.at(static_cast<Index>(held)).v;
+        const double t = simulation.steps.now().time;
+        EXPECT_NEAR(v[0], 0.1, 1e-9) << t;  // of differences of a formula
+        EXPECT_NEAR(v[1], 0.4 * t, 1e-9) << t;
+        return true;
+      },
+      history);
+  EXPECT_EQ(simulation.steps.now().step, 60);
+}
+
+/// A body that nothing holds falls, and all of the load is unbalanced; its damping, which is no force at rest, does not
+/// make it less.
+TEST(Relaxation, LooksAtForcesAtVelocityZero) {
+  const Scene falls = parse_scene(R"([scene]
+dimension = 2
+end_time = 0.1
+[body]
+size = [0.5, 1]
+spacing = 0.125
+[material]
+young = "1 MPa"
+poisson = 0.3
+density = 1000
+[load]
+gravity = ["3", "-10"]
+[damping]
+rate = 20
+[initial]
+velocity = ["0.1", "-0.4"]
+[relaxation]
+)",
+                                  "test.toml");
+  auto simulation = make_simulation<2>(falls).simulation;
+  RunRecord history;
+  const RunResult result = run<2>(simulation, {}, history);
+  ASSERT_TRUE(result.residual.has_value());
+  EXPECT_NEAR(*result.residual, 1, 1e-9);  // the velocity -0.4 m/s would make it 20 % less
+}
+
+/// A component that two boundaries hold has its force in the later one.
+TEST(Reactions, OfTwoBoundariesAtOnePlaceTheLaterOneCarries) {
+  const std::string bar = R"([scene]
+dimension = 1
+end_time = "2 s"
+[body]
+size = [1]
+particles = [21]
+[material]
+young = "1 MPa"
+poisson = 0.3
+density = 1000
+[load]
+gravity = ["5"]
+[relaxation]
+)";
+  const std::string face = "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n",
+                    where = "[[boundary]]\nwhere = \"X < 0.01\"\nkind = \"clamped\"\n";
+  for (const bool face_first : {true, false}) {
+    auto rest = make_simulation<1>(parse_scene(bar + (face_first ? face + where : where + face), "bar.toml"))
+                    .simulation;
+    RunRecord history;
+    ASSERT_TRUE(run<1>(rest, {}, history).completed());
+    const auto reactions = rest.reactions();
+    ASSERT_EQ(reactions.size(), 2u);
+    EXPECT_EQ(reactions[0].boundary == "x-", face_first);
+    EXPECT_EQ(reactions[0].force[0], 0);
+    EXPECT_NEAR(reactions[1].force[0], -5000, 1e-3);  // the weight; the residual is 1e-8 of it and less
+  }
 }
 
 TEST(Relaxation, SaysThatItFoundNoRest) {

@@ -282,7 +282,10 @@ TEST(SchemesTogether, RefuseWhatBelongsToAnother) {
   EXPECT_NE(refusal("implicit", "[initial]\nvelocity = [\"1\", \"0\"]\n").find("n equilibrium has none"),
             std::string::npos);
   EXPECT_NE(refusal("updated", "kernel = \"cubic\"\n").find("section [updated] chooses"), std::string::npos);
-  EXPECT_NE(refusal("updated", "[damping]\nrate = 5\n").find("contradicts scheme = \"updated\""),
+  for (const char* scheme : {"mixed", "updated", "element"})
+    EXPECT_EQ(refusal(scheme, "[damping]\nrate = 5\n"), "accepted") << scheme;
+  EXPECT_NE(refusal("element", by_newton("linear") + "[damping]\nrate = 5\n")
+                .find("contradicts solve = \"newton\""),
             std::string::npos);
   EXPECT_NE(refusal("updated", "[eulerian]\n").find("belongs to scheme = \"eulerian\""), std::string::npos);
   EXPECT_NE(refusal("mixed", "[updated]\n").find("belongs to scheme = \"updated\""), std::string::npos);

@@ -304,6 +304,21 @@ TEST(UpdatedLaws, EnergyDoesNotKnowTheAgeOfTheList) {
   EXPECT_EQ(energies[0], energies[1]);
 }
 
+/// A state has its energy, whatever the body has moved since: the list of neighbours is another one then.
+TEST(UpdatedLaws, EnergyDoesNotKnowWhatElseHasMoved) {
+  const Cloud<2> cloud = cells<2>({8, 8}, 0.125);
+  auto body = updated_body<2>(cloud, UpdatedOptions());
+  auto state = rough<2>(body, cloud, 40);
+  const double energy = body.energy(state).more[0].value;
+  EXPECT_GT(energy, 0);
+  const long searches = body.searches();
+  InitialMotion<2> stretched;
+  for (const Vec<2>& X : cloud.X) stretched.u.push_back(0.3 * X);
+  body.start(stretched);
+  EXPECT_EQ(body.energy(state).more[0].value, energy);
+  EXPECT_EQ(body.searches(), searches + 2);  // there and back
+}
+
 TEST(UpdatedLaws, TroubleLeavesTheStateAsItWas) {
   const Cloud<2> cloud = cells<2>({8, 8}, 0.125);
   for (const bool conservative : {true, false}) {

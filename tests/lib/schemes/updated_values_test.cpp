@@ -2,6 +2,8 @@
 // errors.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "lib/schemes/point_fields.hpp"
 #include "tests/support/updated.hpp"
 
@@ -19,6 +21,27 @@ TEST(UpdatedLattice, SumsOfTheKernel) {
   EXPECT_NEAR(space.xxyy, 0.173738417708, 1e-12);
   EXPECT_NEAR(plane.m, plane.xxxx + plane.xxyy, 1e-14);  // e_x^2 + e_y^2 = 1
   EXPECT_NEAR(space.m, space.xxxx + 2 * space.xxyy, 1e-14);
+}
+
+/// By parts: -integral of r W' over all of space is d times that of W, which is 1. W' = r times the slope is a polynomial of
+/// r up to 2h, and Simpson's rule on 2000 pieces leaves 1e-13 of it.
+template <int d>
+double weight_of_kernel(double h) {
+  const KernelSlope slope = wendland_slope<d>(h);
+  const double pi = std::numbers::pi, reach = 2 * h, piece = reach / 2000;
+  const auto shell = [&](double r) { return d == 1 ? 2.0 : d == 2 ? 2 * pi * r : 4 * pi * r * r; };
+  const auto f = [&](double r) { return -slope(r) * r * r * shell(r) / d; };
+  double sum = 0;
+  for (int n = 0; n < 2000; ++n)
+    sum += piece / 6 * (f(n * piece) + 4 * f((n + 0.5) * piece) + f((n + 1) * piece));
+  return sum;
+}
+TEST(UpdatedLattice, TheKernelHasTheWeightOne) {
+  for (const double h : {0.013, 1.0, 1.3}) {
+    EXPECT_NEAR(weight_of_kernel<1>(h), 1, 1e-11) << h;
+    EXPECT_NEAR(weight_of_kernel<2>(h), 1, 1e-11) << h;
+    EXPECT_NEAR(weight_of_kernel<3>(h), 1, 1e-11) << h;
+  }
 }
 
 TEST(UpdatedLattice, TheFactorThatMakesTheShearOfAnAxisRight) {

@@ -196,8 +196,8 @@ void add_export_options(CLI::App& command, ExportOptions& exported) {
               "writes the solution whose name is given, with its loads, as source text, or as a table of "
               "values")
           ->check(CLI::IsMember({"c", "fortran", "python", "csv"}));
-  command.add_option("--dimension", exported.solution.dimension, "with --export: 2 or 3")
-      ->check(CLI::IsMember({2, 3}))
+  command.add_option("--dimension", exported.solution.dimension, "with --export: 1, 2 or 3")
+      ->check(CLI::IsMember({1, 2, 3}))
       ->needs(format);
   command.add_option("--at", exported.points, "with --export csv: a file of points (.csv, .vtp, .vtu, dump)")
       ->type_name("FILE")

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/error.hpp"
 #include "lib/input/section.hpp"
 #include "verification/plumb/foreign/campaign_cloud.hpp"
@@ -18,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 double edge_of(const Campaign& campaign) {
-  return campaign.solution.dimension == 2 ? campaign.solution.fields<2>().domain.length()
-                                          : campaign.solution.fields<3>().domain.length();
+  return with_dimension(campaign.solution.dimension,
+                        [&]<int d>() { return campaign.solution.fields<d>().domain.length(); });
 }
 
 /// A file of the run's own folder: no path that leads out of it.
@@ -124,7 +125,7 @@ Campaign read_campaign(const std::string& path, const std::vector<std::string>& 
   const Section head = root.section("campaign");
   c.name = head.text_or("name", fs::path(path).stem().string());
   c.solution =
-      read_solution_choice(head.text("solution"), static_cast<int>(head.integer_or("dimension", 0, 2)), root);
+      read_solution_choice(head.text("solution"), static_cast<int>(head.integer_or("dimension", 0, 1)), root);
   c.time = head.number("time", quantity::time);
   read_levels(head, c);
   read_steps(head, c);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/error.hpp"
 #include "lib/geometry/shaped_cloud.hpp"
 #include "lib/output/particles.hpp"
@@ -122,15 +123,12 @@ std::string vtp_of(const CampaignCloud& cloud, const Start& start) {
 
 CampaignCloud campaign_cloud(const SolutionChoice& choice, double spacing, Layout layout, double jitter,
                              std::uint64_t seed) {
-  return choice.dimension == 2 ? cloud_in<2>(choice, spacing, layout, jitter, seed)
-                               : cloud_in<3>(choice, spacing, layout, jitter, seed);
+  return with_dimension(choice.dimension,
+                        [&]<int d>() { return cloud_in<d>(choice, spacing, layout, jitter, seed); });
 }
 
 void require_cloud_fits(const SolutionChoice& choice, double spacing) {
-  if (choice.dimension == 2)
-    require_fit<2>(choice.fields<2>().domain, spacing);
-  else
-    require_fit<3>(choice.fields<3>().domain, spacing);
+  with_dimension(choice.dimension, [&]<int d>() { require_fit<d>(choice.fields<d>().domain, spacing); });
 }
 
 void require_cloud_format(const std::string& name) {
@@ -141,7 +139,7 @@ void require_cloud_format(const std::string& name) {
 }
 
 std::string cloud_text(const CampaignCloud& cloud, const SolutionChoice& choice, const std::string& name) {
-  const Start start = choice.dimension == 2 ? start_of<2>(cloud, choice) : start_of<3>(cloud, choice);
+  const Start start = with_dimension(choice.dimension, [&]<int d>() { return start_of<d>(cloud, choice); });
   if (name.ends_with(".data")) return lammps_text(cloud, choice, start);
   return name.ends_with(".vtp") ? vtp_of(cloud, start) : table_text(cloud, start);
 }

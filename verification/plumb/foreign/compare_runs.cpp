@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/error.hpp"
 #include "lib/geometry/neighbours.hpp"
 #include "lib/input/document.hpp"
@@ -212,7 +213,7 @@ std::vector<Difference> compare_runs(const std::string& a, const std::string& b,
   if (dimension != dimension_of(read_points(of_b.front().file)))
     throw InputError("one run is in 2D and the other in 3D", "", "");
   std::vector<Difference> all =
-      dimension == 2 ? compare_in<2>(of_a, of_b, options) : compare_in<3>(of_a, of_b, options);
+      with_dimension(dimension, [&]<int d>() { return compare_in<d>(of_a, of_b, options); });
   if (all.empty())
     throw InputError("the runs have no time in common",
                      "times of the first are looked for among those of the second", "");

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "lib/core/dimension.hpp"
 #include "lib/core/error.hpp"
 #include "lib/output/file.hpp"
 #include "lib/output/table.hpp"
@@ -75,8 +76,8 @@ std::string exported(const ExportOptions& options) {
 }  // namespace
 
 std::string values_at(const SolutionChoice& choice, const std::vector<double>& positions, double time) {
-  return csv_text(choice.dimension == 2 ? table_at<2>(choice, positions, time)
-                                        : table_at<3>(choice, positions, time));
+  return csv_text(
+      with_dimension(choice.dimension, [&]<int d>() { return table_at<d>(choice, positions, time); }));
 }
 
 int export_solution(const Session& session, const ExportOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lib/core/dimension.hpp"
 #include "verification/plumb/foreign/suspicion.hpp"
 
 namespace plumb::app {
@@ -62,8 +63,8 @@ ForeignErrors errors_in(const PointFile& points, const std::string& file, const 
 ForeignErrors errors_of(const std::string& file, const SolutionChoice& choice, double time,
                         const PointOptions& options) {
   const PointFile points = read_points(file);
-  return choice.dimension == 2 ? errors_in<2>(points, file, choice, time, options)
-                               : errors_in<3>(points, file, choice, time, options);
+  return with_dimension(choice.dimension,
+                        [&]<int d>() { return errors_in<d>(points, file, choice, time, options); });
 }
 
 }  // namespace plumb::app

@@ -47,15 +47,15 @@ std::vector<Mat<d>> tensor_column(const PointFile& points, const std::vector<std
   const PointColumn* column = points.find(names);
   if (column == nullptr) return {};
   const auto n = static_cast<std::size_t>(column->components);
-  if (n != 4 && n != 6 && n != 9) return {};
-  if (n == 4 && d == 3) return {};
+  if (n != d * d && n != 4 && n != 6 && n != 9) return {};
+  if (n == 4 && d != 2) return {};
   constexpr std::size_t symmetric[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
   std::vector<Mat<d>> all;
   for (std::size_t k = 0; k < points.count; ++k) {
     Mat<d> M;
     for (std::size_t i = 0; i < d; ++i)
       for (std::size_t A = 0; A < d; ++A) {
-        const std::size_t at = n == 6 ? symmetric[i][A] : i * (n == 9 ? 3 : 2) + A;
+        const std::size_t at = n == 6 ? symmetric[i][A] : i * (n == 9 ? 3 : d) + A;
         M(static_cast<int>(i), static_cast<int>(A)) = column->values[k * n + at];
       }
     all.push_back(M);
@@ -144,6 +144,10 @@ void place_points(const PointFile& points, const PointOptions& options, ForeignF
 }  // namespace
 
 int dimension_of(const PointFile& points) {
+  bool line = points.axes != 2;
+  for (std::size_t k = 0; line && k < points.positions.size(); k += 3)
+    line = points.positions[k + 1] == 0 && points.positions[k + 2] == 0;
+  if (line) return 1;
   for (std::size_t k = 2; k < points.positions.size(); k += 3)
     if (points.positions[k] != 0) return 3;
   return 2;
@@ -178,8 +182,11 @@ ForeignField<d> foreign_field(const PointFile& points, const std::string& file, 
   return field;
 }
 
+template ForeignField<1> field_as_it_is<1>(const PointFile&, const std::string&, const PointOptions&);
 template ForeignField<2> field_as_it_is<2>(const PointFile&, const std::string&, const PointOptions&);
 template ForeignField<3> field_as_it_is<3>(const PointFile&, const std::string&, const PointOptions&);
+template ForeignField<1> foreign_field<1>(const PointFile&, const std::string&, const mms::Domain<1>&,
+                                          const PointOptions&);
 template ForeignField<2> foreign_field<2>(const PointFile&, const std::string&, const mms::Domain<2>&,
                                           const PointOptions&);
 template ForeignField<3> foreign_field<3>(const PointFile&, const std::string&, const mms::Domain<3>&,

@@ -28,7 +28,8 @@ struct ForeignField {
   std::vector<Mat<d>> F, P, cauchy;
 };
 
-/// 3 if a point has a third coordinate, else 2.
+/// 1 if the file has one coordinate of its points, or three of which the last two are 0 everywhere; 3 if a point has a third
+/// one; else 2.
 int dimension_of(const PointFile& points);
 
 /// What the file says, without volumes that it does not have and without a spacing. Throws InputError for

@@ -29,7 +29,7 @@ std::map<std::string, double> checked_parameters(const mms::SolutionEntry& entry
 
 SolutionChoice read_solution_choice(const std::string& name, int dimension, const Section& root) {
   const mms::SolutionEntry entry = mms::solution_entry(name);
-  // points of other programs lie in a plane or in space
+  // most points of other programs lie in a plane or in space
   if (dimension == 0) dimension = std::max(2, entry.dimensions.front());
   if (std::find(entry.dimensions.begin(), entry.dimensions.end(), dimension) == entry.dimensions.end())
     throw InputError(fmt::format("the solution {} does not exist in {}D", name, dimension), "",
@@ -70,8 +70,8 @@ std::string in_words(const SolutionChoice& choice) {
 }
 
 void add_solution_options(CLI::App& command, SolutionOptions& options) {
-  command.add_option("--dimension", options.dimension, "of the solution, where it exists in 2D and 3D")
-      ->check(CLI::IsMember({2, 3}));
+  command.add_option("--dimension", options.dimension, "of the solution, where it exists in more than one")
+      ->check(CLI::IsMember({1, 2, 3}));
   command
       .add_option("--set", options.overrides,
                   "a parameter of the solution or a key of its material: parameters.amplitude=0.02, "

@@ -133,9 +133,11 @@ std::string region(const ForeignField<d>& field, const mms::ExactFields<d>& exac
           : "look at the load, the law and its constants inside");
 }
 
+template std::vector<std::string> suspicion<1>(const ForeignField<1>&, const mms::ExactFields<1>&, double);
 template std::vector<std::string> suspicion<2>(const ForeignField<2>&, const mms::ExactFields<2>&, double);
 template std::vector<std::string> suspicion<3>(const ForeignField<3>&, const mms::ExactFields<3>&, double);
 
+template std::string region<1>(const ForeignField<1>&, const mms::ExactFields<1>&, double);
 template std::string region<2>(const ForeignField<2>&, const mms::ExactFields<2>&, double);
 template std::string region<3>(const ForeignField<3>&, const mms::ExactFields<3>&, double);
 

@@ -105,6 +105,27 @@ TEST(LatticeClosure, HasTheInteriorWeightsOfItsStartTable) {
                                             {"standard", Correction::W1, 0.6, 0, 0}});
 }
 
+// A bar: of the two layers that a support of 2.6 spacings sees, with the kernel (a + b r) W that reproduces linear fields. At a
+// particle of a lattice a = 1/sum W, b = 0 and, since sum r^2 b' W - a sum r W' = 1 as well, b' = (1 + a sum r W')/sum r^2 W.
+TEST(LatticeClosure, HasTheWeightsOfABar) {
+  constexpr double beta = 1.3;
+  Box<1> box;
+  box.origin[0] = -0.7;
+  box.size[0] = 1.6;
+  const Cloud<1> cloud = lattice<1>(box, {8}, Layout::node);
+  const auto closure =
+      lattice_closure<1>(cloud, testing::options<1>({.estimator = "standard", .beta = beta}, cloud.spacing));
+  const auto kernel = kernel_named<1>("cubic");
+  const auto W = [&](double r) { return kernel.w(r / beta); };
+  const auto slope = [&](double r) { return kernel.dw(r / beta) / beta; };
+  const double a = 1 / (W(0) + 2 * W(1) + 2 * W(2));
+  const double b = (1 + a * (2 * slope(1) + 4 * slope(2))) / (2 * W(1) + 8 * W(2));
+  for (const int m : {1, 2})
+    EXPECT_NEAR(closure.weight[0][static_cast<std::size_t>(m - 1)][0][0],
+                2 * m * (b * m * W(m) - a * slope(m)), 1e-14);
+  EXPECT_GT(closure.weight[0][1][0][0], 0.1);
+}
+
 // The same sums in another order: the stencil inside is that of the start table.
 TYPED_TEST(LatticeClosureLaws, LeavesTheInsideAsItIs) {
   constexpr int d = TypeParam::d;
