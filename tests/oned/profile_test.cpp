@@ -19,7 +19,7 @@ using namespace plumb::oned;
 using second::Rational;
 
 /// dx = 1, R = 4, 16 particles.
-Discretisation unit_lattice(double radius = 4) {
+Discretisation sixteen_particles(double radius = 4) {
   Discretisation d;
   d.length = 16;
   d.n = 16;
@@ -32,7 +32,7 @@ TEST(Profile, IsThatOfRationalArithmetic) {
   const std::vector<Rational> places{0, Rational(1, 4), Rational(3, 2), 8, 16};
   std::vector<double> at;
   for (const Rational& x : places) at.push_back(static_cast<double>(x));
-  const auto rows = correction_profile(unit_lattice(), at);
+  const auto rows = correction_profile(sixteen_particles(), at);
   ASSERT_EQ(rows.size(), at.size());
   for (std::size_t k = 0; k < at.size(); ++k) {
     SCOPED_TRACE(at[k]);
@@ -64,15 +64,15 @@ TEST(Profile, IsThatOfRationalArithmetic) {
 }
 
 TEST(Profile, RefusesPlacesOutsideAndTooManyPoints) {
-  EXPECT_THROW(correction_profile(unit_lattice(), {-0.1}), InputError);
-  EXPECT_THROW(correction_profile(unit_lattice(), {16.1}), InputError);
+  EXPECT_THROW(correction_profile(sixteen_particles(), {-0.1}), InputError);
+  EXPECT_THROW(correction_profile(sixteen_particles(), {16.1}), InputError);
   EXPECT_THROW(even_points(1, 1), InputError);
   EXPECT_EQ(even_points(2, 5), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
 }
 
 /// The curves go through the particles.
 TEST(KernelCurves, AreTheKernelsAtTheParticles) {
-  const Discretisation d = unit_lattice();
+  const Discretisation d = sixteen_particles();
   const KernelView view = explore(d, 0.75);
   const KernelCurves curves = kernel_curves(d, view, 20);  // every 1/4 from 0 to 4.75
   ASSERT_EQ(curves.s.size(), 20u);
@@ -92,7 +92,7 @@ TEST(KernelCurves, AreTheKernelsAtTheParticles) {
 TEST(Function, IsExactUpToTheOrderOfItsKernel) {
   const auto error = [](const char* field, Correction pair) {
     double largest = 0;
-    for (const auto& row : function_rows(unit_lattice(), {parse_field(field)}, {pair}))
+    for (const auto& row : function_rows(sixteen_particles(), {parse_field(field)}, {pair}))
       largest = std::max(largest, std::abs(row.error));
     return largest;
   };
@@ -101,7 +101,7 @@ TEST(Function, IsExactUpToTheOrderOfItsKernel) {
   EXPECT_GT(error("poly:3", Correction::none), 0.9);
   EXPECT_GT(error("poly:3,2", Correction::W0), 0.1);
   // X^2 inside: sum V W (X_j - X)^2 = m2 = h^2/3 of the cubic spline, a B-spline whose sums are its integrals
-  const auto rows = function_rows(unit_lattice(), {parse_field("poly:0,0,1")}, {Correction::W1});
+  const auto rows = function_rows(sixteen_particles(), {parse_field("poly:0,0,1")}, {Correction::W1});
   EXPECT_NEAR(rows[8].error, 4.0 / 3, 1e-12);
 }
 

@@ -60,7 +60,7 @@ bool has_inertia(const std::string& scheme) {
   return scheme != "implicit";
 }
 
-class Schemes : public testing::TestWithParam<std::string> {};
+class Schemes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Schemes, ASnapshotFitsItself) {
   auto simulation = make_simulation<2>(pulled(GetParam())).simulation;
@@ -111,11 +111,12 @@ TEST_P(Schemes, GoOnWithTheSameBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Schemes, testing::ValuesIn(scheme_names()),
+INSTANTIATE_TEST_SUITE_P(All, Schemes, ::testing::ValuesIn(scheme_names()),
                          [](const auto& about) { return about.param; });
 
 TEST(SchemesTogether, KeepTheMomentaOfAFreeBody) {
-  for (const std::string scheme : {"tlsph", "mixed", "updated", "eulerian", "element"}) {  // an equilibrium has none
+  for (const std::string scheme :
+       {"tlsph", "mixed", "updated", "eulerian", "element"}) {  // an equilibrium has none
     auto simulation = make_simulation<2>(free_plate(scheme)).simulation;
     const Momentum before = simulation.momentum();
     RunRecord history;
@@ -196,7 +197,7 @@ scheme = ")" + scheme + "\"\n",
                      "test.toml");
 }
 
-class PlasticSchemes : public testing::TestWithParam<std::string> {};
+class PlasticSchemes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(PlasticSchemes, CarryPlasticity) {
   auto simulation = make_simulation<3>(copper_bar(GetParam())).simulation;
@@ -217,7 +218,7 @@ TEST_P(PlasticSchemes, CarryPlasticity) {
   EXPECT_THROW(copper_bar("element"), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, testing::Values("tlsph", "mixed", "updated", "eulerian"),
+INSTANTIATE_TEST_SUITE_P(All, PlasticSchemes, ::testing::Values("tlsph", "mixed", "updated", "eulerian"),
                          [](const auto& about) { return about.param; });
 /// A plate that turns and stretches keeps its energy by the energy-momentum rule, on bonds and on elements.
 TEST(SchemesTogether, TheEnergyMomentumRuleKeepsTheEnergy) {

@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 double edge_of(const Campaign& campaign) {
-  return with_dimension(campaign.solution.dimension,
-                        [&]<int d>() { return campaign.solution.fields<d>().domain.length(); });
+  return plumb::with_dimension(campaign.solution.dimension,
+                               [&]<int d>() { return campaign.solution.fields<d>().domain.length(); });
 }
 
 /// A file of the run's own folder: no path that leads out of it.

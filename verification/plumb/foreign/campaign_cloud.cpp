@@ -123,12 +123,13 @@ std::string vtp_of(const CampaignCloud& cloud, const Start& start) {
 
 CampaignCloud campaign_cloud(const SolutionChoice& choice, double spacing, Layout layout, double jitter,
                              std::uint64_t seed) {
-  return with_dimension(choice.dimension,
-                        [&]<int d>() { return cloud_in<d>(choice, spacing, layout, jitter, seed); });
+  return plumb::with_dimension(choice.dimension,
+                               [&]<int d>() { return cloud_in<d>(choice, spacing, layout, jitter, seed); });
 }
 
 void require_cloud_fits(const SolutionChoice& choice, double spacing) {
-  with_dimension(choice.dimension, [&]<int d>() { require_fit<d>(choice.fields<d>().domain, spacing); });
+  plumb::with_dimension(choice.dimension,
+                        [&]<int d>() { require_fit<d>(choice.fields<d>().domain, spacing); });
 }
 
 void require_cloud_format(const std::string& name) {
@@ -139,7 +140,8 @@ void require_cloud_format(const std::string& name) {
 }
 
 std::string cloud_text(const CampaignCloud& cloud, const SolutionChoice& choice, const std::string& name) {
-  const Start start = with_dimension(choice.dimension, [&]<int d>() { return start_of<d>(cloud, choice); });
+  const Start start =
+      plumb::with_dimension(choice.dimension, [&]<int d>() { return start_of<d>(cloud, choice); });
   if (name.ends_with(".data")) return lammps_text(cloud, choice, start);
   return name.ends_with(".vtp") ? vtp_of(cloud, start) : table_text(cloud, start);
 }

@@ -213,7 +213,7 @@ std::vector<Difference> compare_runs(const std::string& a, const std::string& b,
   if (dimension != dimension_of(read_points(of_b.front().file)))
     throw InputError("one run is in 2D and the other in 3D", "", "");
   std::vector<Difference> all =
-      with_dimension(dimension, [&]<int d>() { return compare_in<d>(of_a, of_b, options); });
+      plumb::with_dimension(dimension, [&]<int d>() { return compare_in<d>(of_a, of_b, options); });
   if (all.empty())
     throw InputError("the runs have no time in common",
                      "times of the first are looked for among those of the second", "");

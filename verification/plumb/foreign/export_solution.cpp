@@ -77,7 +77,7 @@ std::string exported(const ExportOptions& options) {
 
 std::string values_at(const SolutionChoice& choice, const std::vector<double>& positions, double time) {
   return csv_text(
-      with_dimension(choice.dimension, [&]<int d>() { return table_at<d>(choice, positions, time); }));
+      plumb::with_dimension(choice.dimension, [&]<int d>() { return table_at<d>(choice, positions, time); }));
 }
 
 int export_solution(const Session& session, const ExportOptions& options) {

@@ -63,8 +63,8 @@ ForeignErrors errors_in(const PointFile& points, const std::string& file, const 
 ForeignErrors errors_of(const std::string& file, const SolutionChoice& choice, double time,
                         const PointOptions& options) {
   const PointFile points = read_points(file);
-  return with_dimension(choice.dimension,
-                        [&]<int d>() { return errors_in<d>(points, file, choice, time, options); });
+  return plumb::with_dimension(choice.dimension,
+                               [&]<int d>() { return errors_in<d>(points, file, choice, time, options); });
 }
 
 }  // namespace plumb::app
