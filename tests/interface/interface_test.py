@@ -64,7 +64,7 @@ class Interface(unittest.TestCase):
                       lambda: plumbline.fit_order([1, 1], [1, 2])):
             with self.assertRaises(ValueError):
                 wrong()
-        with self.assertRaisesRegex(ValueError, 'did you mean "swinging-plate"'):
+        with self.assertRaisesRegex(ValueError, 'Did you mean "swinging-plate"'):
             plumbline.Solution("swinging-plat")
 
     def test_without_numpy(self):

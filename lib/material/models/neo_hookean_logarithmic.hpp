@@ -8,7 +8,7 @@
 namespace plumb {
 
 /// Compressible neo-Hookean rubber with a logarithm, (59) and (60) of paper 004; plane strain in 2D. THEORY
-/// (4.17).
+/// (4.20).
 ///   W = mu/2 (F:F - 3) - mu ln J + lambda/2 (ln J)^2
 ///   P = mu F + (lambda ln J - mu)/J cof F
 /// Its energy grows without bound towards J = 0.
