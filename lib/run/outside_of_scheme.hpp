@@ -1,0 +1,67 @@
+#pragma once
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "lib/run/simulation.hpp"
+#include "lib/schemes/rest.hpp"
+
+/// What a simulation shows of loads, damping and supports, and how it comes to rest. `moving` holds a scheme and its
+/// state: Moving of any_scheme.hpp.
+namespace plumb {
+
+/// Whether a scheme says which accelerations its state has without supports.
+template <class M>
+bool opens(const M& scheme) {
+  if constexpr (requires { scheme.opens(); }) return scheme.opens();
+  return true;
+}
+
+template <int d, class Moving>
+void give_reactions(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
+  simulation.reactions = [moving] {
+    auto& [scheme, state, places] = *moving;
+    const auto open = scheme.open(state, false);
+    if (open) return scheme.outside().reactions(state.time, *open, state.v);
+    std::vector<BoundaryForce<d>> unknown = scheme.outside().no_reactions();
+    for (auto& of : unknown) of.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return unknown;
+  };
+}
+
+/// At some steps the forces before and after are compared; the damping of the next ones follows. THEORY (5.11).
+template <int d, class Moving>
+void look_for_rest(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
+  const auto residual = std::make_shared<std::optional<double>>();
+  simulation.has_other_work = true;
+  simulation.steps.residual = [residual] { return *residual; };
+  simulation.steps.advance = [moving, residual, step = simulation.steps.advance](double dt) {
+    auto& [scheme, state, places] = *moving;
+    residual->reset();
+    std::optional<OpenAcceleration> before;
+    const Field u = state.u;
+    if (looks_after_step(state.step + 1)) before = scheme.open(state, true);
+    auto failure = step(dt);
+    if (failure || !before) return failure;
+    const auto after = scheme.open(state, true);
+    if (!after) return failure;  // the next step will say what is wrong
+    const RestLook look = look_for_rest<d>(scheme.outside(), *before, u, *after, state.u);
+    *residual = look.residual;
+    state.outside.rest_rate = 2 * look.frequency;
+    return failure;
+  };
+}
+
+/// What a scheme says of loads, damping and supports that has
+///   const OutsideForces<d>& outside() const;                     with their work as state.outside,
+///   std::optional<OpenAcceleration> open(state, bool still);     at velocity zero if it is still, and
+///   bool opens() const;                                          (optional) false: open() cannot be asked.
+template <int d, class Moving>
+void give_outside(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
+  simulation.external_work = [moving] { return moving->scheme.outside().named(moving->state.outside); };
+  if (!opens(moving->scheme)) return;
+  if (!moving->scheme.outside().held().empty()) give_reactions<d>(simulation, moving);
+  if (simulation.control.rest) look_for_rest<d>(simulation, moving);
+}
+
+}  // namespace plumb
