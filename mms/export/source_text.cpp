@@ -128,8 +128,8 @@ std::string c_text(const Writer& writer, const std::string& name, int d, const O
 
 std::string python_text(const Writer& writer, const std::string& name, const Outputs& outputs) {
   std::string text =
-      "try:\n    from numpy import cos, sin, sqrt  # then X may hold arrays\nexcept ImportError:\n    from "
-      "math import cos, sin, "
+      "try:\n    from numpy import cos, log, sin, sqrt  # then X may hold arrays\nexcept ImportError:\n    from "
+      "math import cos, log, sin, "
       "sqrt\n\n\n";
   text += fmt::format("def {}(X, t):\n    \"\"\"Returns u, v, a, F, P, b as lists of numbers.\"\"\"\n", name);
   text += writer.body(outputs) + "    return (";

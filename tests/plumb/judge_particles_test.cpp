@@ -18,7 +18,7 @@ namespace plumb {
 namespace {
 
 using test::run_shell;
-using Field = std::function<Vec<2>(const Vec<2>& X, double h)>;
+using ForeignField = std::function<Vec<2>(const Vec<2>& X, double h)>;
 
 const Elastic elastic{17e6, 0.495, 1100};
 constexpr double instant = 0.002;
@@ -38,7 +38,7 @@ Vec<2> wiggle(const Vec<2>& X) {
 /// Files level_0.csv .. of the plate on [0, 2]^2 with n = 5, 10, 20, 40 cells an edge, cell layout.
 struct Files {
   test::TemporaryFolder folder;
-  explicit Files(const Field& u, const std::string& more = "", int first = 5) {
+  explicit Files(const ForeignField& u, const std::string& more = "", int first = 5) {
     for (int level = 0; level < 4; ++level) {
       const int n = first << level;
       std::ofstream file(folder / ("level_" + std::to_string(level) + ".csv"));

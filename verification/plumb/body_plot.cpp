@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "lib/run/frame.hpp"
 #include "reports/body.hpp"
 
 namespace plumb::app {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "lib/particles/snapshot.hpp"
+#include "lib/run/frame.hpp"
 #include "reports/picture.hpp"
 
 namespace plumb::app {
