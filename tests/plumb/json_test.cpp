@@ -70,6 +70,7 @@ const std::vector<std::string> calls{
     "faults",
     "refusals {}/bad.toml",
     "list",
+    "new bar {}/bar",
     "new scene {}/first",
     "new study {}/order",
     "report --only kernels --out {}/report",
