@@ -128,7 +128,7 @@ TEST(Checkpoint, AnotherSceneOrBuildIsRefusedWithTheDifference) {
     return std::string("accepted");
   };
   EXPECT_EQ(message(c.program, c.scene), "accepted");
-  EXPECT_NE(message("plumb 0.2.0", c.scene).find("plumb 0.1.0 (commit abc). This is plumb 0.2.0"),
+  EXPECT_NE(message("plumb 0.2.0", c.scene).find("lumb 0.1.0 (commit abc); this is plumb 0.2.0"),
             std::string::npos);
   auto scene = c.scene;
   scene["material.poisson"] = "0.3";
