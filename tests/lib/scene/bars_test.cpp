@@ -1,4 +1,5 @@
 // Scenes in one dimension: a bar in uniaxial strain, by every scheme, against what is known of it exactly.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -164,8 +165,9 @@ TEST_P(BarsBy, PutTheTractionIntoTheStress) {
   const Snapshot<1> shown = end.snapshot();
   // behind the front of the ramp: X > 1 - 0.6 m; an equilibrium has it everywhere. The updated scheme has another law and
   // dissipation at the front.
-  const std::size_t end_cells =
-      GetParam() == "updated" || GetParam() == "eulerian" ? 4 : 2;  // its support is three cells, and the sum at an end misses half
+  const std::size_t end_cells = GetParam() == "updated" || GetParam() == "eulerian"
+                                    ? 4
+                                    : 2;  // its support is three cells, and the sum at an end misses half
   for (std::size_t i = 60; i + end_cells < shown.X.size(); ++i) {
     EXPECT_NEAR(shown.cauchy[i](0, 0), 30e6, GetParam() == "updated" ? 0.9e6 : 0.2e6) << shown.X[i][0];
     for (int k = 1; k < 3; ++k)  // nu/(1 - nu) across, to the strain of 1 % in which laws differ

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "lib/core/dimension.hpp"
 #include "lib/core/error.hpp"
