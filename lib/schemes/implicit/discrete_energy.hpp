@@ -42,6 +42,10 @@ class DiscreteEnergy {
   const Elastic& elastic() const { return stored_.elastic; }
   const Slots& slots() const { return stored_.slots; }
   double round_off() const { return stored_.round_off; }  ///< of E near the reference [J]
+  /// Says that the body is at u for good: a law with history moves it there.
+  void commit(const Eigen::VectorXd& u) {
+    if (stored_.commit) stored_.commit(u);
+  }
   /// Where the last residual had no J > 0, if it had.
   std::optional<Trouble> trouble() const { return stored_.trouble(); }
   const std::vector<Index>& unknowns() const { return unknowns_; }

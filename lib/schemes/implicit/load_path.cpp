@@ -69,6 +69,7 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, BodyMotion& motion,
     }
     share = next;
     u = trial;
+    balance_.energy().commit(u);
     motion = {u, Eigen::VectorXd::Zero(u.size()), share * end_time_, motion.step + 1};
     if (on_step) on_step(motion, {share, found});
     if (options_.adaptive && !tried_longer && found.iterations() <= quick) length_ *= growth;

@@ -39,6 +39,7 @@ NewtonResult Midpoint<d>::step(BodyMotion& motion, double dt) {
   motion.v = 2 / dt * moved - v;
   motion.time += dt;
   ++motion.step;
+  balance_.energy().commit(motion.u);
   return result;
 }
 

@@ -100,6 +100,7 @@ std::optional<std::string> free_rigid_motion(const DiscreteEnergy<d>& energy,
 template <int d>
 void require_support(Balance<d>& balance, DescentSolver& solver) {
   const DiscreteEnergy<d>& energy = balance.energy();
+  if (energy.unknowns().empty()) return;
   const Cloud<d>& cloud = energy.cloud();
   balance.linearise_at(Eigen::VectorXd::Zero(d * cloud.size()));
   if (const auto motion = free_rigid_motion(energy, balance.held()))
