@@ -82,7 +82,7 @@ UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
   outside_.start(state.u, state.v);
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
-    store(law_.at_rest(), state, i);
+    store(law_.at_rest(motion.temperature_of(i)), state, i);
     set_tensor<d>(state.F, i, Mat<d>::Identity());
   }
   if (!motion.u.empty()) deform(state, motion);
