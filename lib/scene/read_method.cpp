@@ -130,10 +130,6 @@ void read_scheme(const Section& root, Method& method) {
     root.section("damping").fail("", "contradicts solve = \"newton\"",
                                  "Newton's method looks for equilibria, or keeps the energy of a motion",
                                  "use [element] solve = \"explicit\", or leave it out");
-  if (method.scheme == "eulerian" && root.has("damping"))
-    root.section("damping").fail("", "contradicts scheme = \"eulerian\"",
-                                 "that scheme has no damping by the velocity",
-                                 "use [eulerian] damping, or another scheme");
   for (const char* name : {"jst", "hourglass", "projection", "compatible"})
     if (root.has(name))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),

@@ -67,9 +67,6 @@ void refuse_restless(const Section& root, const Scene& scene) {
                  fmt::format("contradicts {}", by_newton ? "solve = \"newton\"" : "scheme = \"implicit\""),
                  "it looks for equilibria by itself, without time",
                  "leave it out, or use a scheme that steps in time");
-  if (method.scheme == "eulerian")
-    section.fail("", "contradicts scheme = \"eulerian\"", "that scheme does not look for rest in time",
-                 "leave it out, or use another scheme");
   if (method.scheme == "updated" && !method.updated.conservative())
     section.fail("", "contradicts balance = \"printed\"",
                  "its forces belong to the middle of a step, and none are known of a body at rest",

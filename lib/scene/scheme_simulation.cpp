@@ -50,8 +50,9 @@ Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
         Updated<d>(std::move(specimen), scene.method.updated, start.actions, damping_of(scene)), start.motion,
         control);
   if (name == Eulerian<d>::name)
-    return as_simulation<d>(Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions),
-                            start.motion, control);
+    return as_simulation<d>(
+        Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions, damping_of(scene)),
+        start.motion, control);
   if (scene.method.scheme == "element")
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
   return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions, damping_of(scene)),

@@ -9,7 +9,7 @@
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/simulation.hpp"
 
-/// Blocks and bars for the tests of what acts from outside on the schemes mixed, updated and element.
+/// Blocks and bars for the tests of what acts from outside on the schemes mixed, updated, eulerian and element.
 namespace plumb::testing {
 
 /// A block of 1000 kg/m^d with sides of 0.5 m, in 2D of 0.5 m by 1 m.
@@ -61,7 +61,7 @@ Ended<d> run_of(const std::string& text) {
   return ended;
 }
 
-inline const std::vector<std::string> schemes = {"mixed", "updated", "element"};
+inline const std::vector<std::string> schemes = {"mixed", "updated", "eulerian", "element"};
 
 /// g per component along x, nothing along the others.
 inline std::string along_x(int d, const std::string& x) {

@@ -8,7 +8,8 @@
 namespace plumb {
 
 template <int d>
-Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions)
+Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions,
+                      double damping)
     : specimen_(std::move(specimen)),
       options_(std::move(options)),
       law_(specimen_.law, specimen_.elastic, true, true, std::nullopt, name),
@@ -17,11 +18,8 @@ Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actio
       neighbours_(2 * h_, options_.skin * specimen_.cloud.spacing) {
   const Cloud<d>& cloud = specimen_.cloud;
   const Index n = cloud.size();
-  actions_ = AppliedActions<d>(actions, cloud, Slots{n, 0, 0, 1});
+  outside_ = OutsideForces<d>(actions, cloud, Slots{n, 0, 0, 1}, {law_.density, damping});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
-  free_.assign(mass_.size(), Vec<d>::Ones());
-  for (const auto& held : actions.held)
-    for (const auto& place : held.places) free_[place.particle][place.component] = 0;
   x_ = cloud.X;
   v_.assign(x_.size(), Vec<d>::Zero());
   half_ = sum_ = v_;
@@ -34,6 +32,7 @@ Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actio
   A_ = L_ = S_ = extra_ = M_;
   if (options_.artificial_stress > 0) repulsion_ = M_;
   near_.assign(x_.size(), 0);
+  kick_ = make_field(d);
   unused_ = make_field(d);
   next_ = make_state();
   neighbours_.update(x_);
@@ -55,7 +54,6 @@ EulerianState<d> Eulerian<d>::make_state() const {
   state.force = make_field(d);
   if (options_.controls_hourglass()) state.hourglass = make_field(d);
   if (options_.has_viscosity()) state.viscous = make_field(d);
-  if (actions_.has_loads()) state.load = make_field(d);
   if (keeps_F()) state.F = make_field(d * d);
   state.place = make_field(d);
   state.before = make_field(d * d);
@@ -70,7 +68,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
     set_vector<d>(state.u, static_cast<Index>(i), motion.u[i]);
   for (std::size_t i = 0; i < motion.v.size(); ++i)
     set_vector<d>(state.v, static_cast<Index>(i), motion.v[i]);
-  actions_.impose(0, state.u, state.v, true);
+  outside_.start(state.u, state.v);
   const Cloud<d>& cloud = specimen_.cloud;
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
@@ -104,7 +102,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
   }
   std::fill(extra_.begin(), extra_.end(), Mat<d>::Zero());
   sum_up();
-  find_forces(state, 0);
+  find_forces(state);
   return state;
 }
 

@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/schemes/apply.hpp"
 #include "lib/schemes/eulerian/eulerian_options.hpp"
 #include "lib/schemes/eulerian/eulerian_state.hpp"
 #include "lib/schemes/eulerian/reference_pairs.hpp"
+#include "lib/schemes/outside.hpp"
 #include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
@@ -22,9 +22,9 @@ class Eulerian {
   using Options = EulerianOptions;
   using State = EulerianState<d>;
 
-  /// InputError where the neighbours of a particle do not span the space, two particles are at one place, or
-  /// the law has no rates.
-  Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions);
+  /// `damping`: rate [1/s], THEORY (6.7). InputError where the neighbours of a particle do not span the space,
+  /// two particles are at one place, or the law has no rates.
+  Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions, double damping = 0);
 
   /// At rest in the reference where the motion has no entries. A displacement gives stress and density of the
   /// deformation that it is.
@@ -41,6 +41,10 @@ class Eulerian {
   std::vector<std::string> warnings() const;
 
   const EulerianOptions& options() const { return options_; }
+  const OutsideForces<d>& outside() const { return outside_; }
+  /// Accelerations in this state without supports: those that it came to, or, if it is `still`, those of its
+  /// stress, places and loads at velocity zero. nullopt if something is not finite.
+  std::optional<OpenAcceleration> open(const State& state, bool still);
   const RateLaw<d>& law() const { return law_; }
   double smoothing_length() const { return h_; }                        ///< h [m]
   double wave_speed() const;                                            ///< c_p [m/s]
@@ -61,7 +65,7 @@ class Eulerian {
   Field make_field(int components) const { return {components, count(), 0}; }
   State make_state() const;
   MovingPairs<d, SplinePairs<d>> pairs() const { return {*neighbours_.list(), kernel_, x_, v_, V_}; }
-  bool keeps_F() const { return options_.controls_hourglass() || actions_.needs_F(); }
+  bool keeps_F() const { return options_.controls_hourglass() || outside_.needs_F(); }
   Point point_of(const State& state, Index i) const;
   void store(const Point& point, State& state, Index i) const;
   double damage_of(const State& state, Index i) const;
@@ -80,20 +84,22 @@ class Eulerian {
   void follow_rates(const State& state, double dt);
   /// Sum of (21) of every particle [kg/(m^3 s)] to rate_.
   void diffuse(const State& state);
-  /// All forces at x_ with the velocities v_, and the acceleration that follows.
-  void find_forces(State& state, double time);
+  /// The body's own forces at x_ with the velocities v_, and the acceleration that follows.
+  void find_forces(State& state);
+  /// Takes the accelerations of a state with its loads to kick_; the loads alone are outside_.loads().
+  void add_loads(const State& state);
+  /// Moves next_.v on by half a step with the forces, loads and supports of a state.
+  void kick(const State& state, double half);
   void stress_forces(State& state);
   void hourglass_forces(State& state);
   void viscous_forces(State& state);
-  /// Adds the work of half a kick by the forces of the state, from the velocities `from` to `to` [m/s].
-  void count_work(const State& state, const std::vector<Vec<d>>& from, const std::vector<Vec<d>>& to,
-                  double half, WorkByCause& work) const;
+  /// Adds the work of the forces of both ends of a step to that of next_, whose velocities were `from` [m/s].
+  void count_work(const State& state, const Field& from, double half);
 
   Specimen<d> specimen_;
   EulerianOptions options_;
   RateLaw<d> law_;
-  AppliedActions<d> actions_;
-  std::vector<Vec<d>> free_;  ///< 1 for each component that moves freely, 0 for held ones
+  OutsideForces<d> outside_;
   double h_;
   SplinePairs<d> kernel_;
   MovingNeighbours<d> neighbours_;
@@ -107,7 +113,7 @@ class Eulerian {
   std::vector<double> V_, shepard_, rate_, power_, damped_;
   std::vector<Mat<d>> M_, A_, L_, S_, extra_, repulsion_;
   std::vector<std::int32_t> near_;
-  Field unused_;
+  Field kick_, unused_;
   State next_;
 };
 

