@@ -39,7 +39,7 @@ LoadPath<d>::LoadPath(StoredEnergy<d> energy, const Actions<d>& actions, double 
       end_time_(end_time),
       options_(options),
       balance_(std::move(energy), actions, {from.time, from.time / end_time}, from.u),
-      solver_(balance_.symmetric()),
+      solver_(balance_, options.solver),
       first_(options.first_step(end_time)),
       length_(first_) {
   require_support(balance_, solver_);

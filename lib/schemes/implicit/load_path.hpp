@@ -59,7 +59,7 @@ class LoadPath {
   double end_time_;
   ImplicitOptions options_;
   Balance<d> balance_;
-  DescentSolver solver_;
+  TangentSolver<d> solver_;
   double first_, length_;  ///< of load steps, as shares of the path
   int rejected_ = 0;
 };

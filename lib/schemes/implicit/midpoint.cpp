@@ -17,10 +17,10 @@ Eigen::VectorXd masses_of(const DiscreteEnergy<d>& energy) {
 
 template <int d>
 Midpoint<d>::Midpoint(StoredEnergy<d> energy, const Actions<d>& actions, double tolerance,
-                      const BodyMotion& from)
+                      const BodyMotion& from, LinearSolver how)
     : tolerance_(tolerance),
       balance_(std::move(energy), actions, {from.time, 1}, from.u),
-      solver_(balance_.symmetric()),
+      solver_(balance_, how),
       mass_(masses_of(balance_.energy())) {}
 
 template <int d>

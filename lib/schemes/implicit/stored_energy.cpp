@@ -18,9 +18,10 @@ constexpr double rounding = 1e-12;
 /// The force has an energy if D is the transposed of V G, the adjoint form. THEORY (5.3).
 template <int d>
 void require_energy(const Solid<d>& solid, const LinearOperators& operators) {
-  SparseMatrix adjoint = operators.gradient.transpose();
-  for (Index n = 0; n < adjoint.cols(); ++n) adjoint.col(n) *= solid.cloud.V[n / (d * d)];
-  if ((operators.force - adjoint).norm() <= rounding * operators.force.norm()) return;
+  SparseMatrix difference = operators.gradient.transpose();
+  for (Index n = 0; n < difference.cols(); ++n) difference.col(n) *= -solid.cloud.V[n / (d * d)];
+  difference += operators.force;
+  if (difference.norm() <= rounding * operators.force.norm()) return;
   throw InputError(
       "this internal force has no energy",
       "equilibrium is sought as a stationary point of the energy, and the force is not its derivative",

@@ -14,19 +14,12 @@
 #include "lib/schemes/element/element.hpp"
 #include "lib/schemes/implicit/equilibrium.hpp"
 #include "lib/schemes/tlsph/loops/body_history.hpp"
+#include "tests/support/plastic.hpp"
 
 namespace plumb {
 namespace {
 
-const std::string copper = R"(
-[material]
-model = "j2-logarithmic"
-young = "117 GPa"
-poisson = 0.35
-density = 8930
-yield = "0.4 GPa"
-hardening = "0.1 GPa"
-)";
+using testing::copper, testing::shown;
 
 const std::vector<std::string> schemes{
     "scheme = \"implicit\"\n", "scheme = \"implicit\"\ngradient = \"improved\"\nmomentum = \"adjoint\"\n",
@@ -34,14 +27,8 @@ const std::vector<std::string> schemes{
     "scheme = \"element\"\n[element]\nsolve = \"newton\"\norder = \"quadratic\"\n",
     "scheme = \"element\"\n[element]\nsolve = \"newton\"\norder = \"reduced\"\n"};
 
-const std::vector<double>& shown(const Snapshot<2>& snapshot, const std::string& name) {
-  for (const NamedValues& more : snapshot.more)
-    if (more.name == name) return more.values;
-  throw std::runtime_error("no " + name);
-}
-
 /// Every particle goes as F(t) X says, in eight load steps: out, around and back.
-Scene driven(const std::string& method) {
+Scene driven_in_load_steps(const std::string& method) {
   return parse_scene(R"([scene]
 dimension = 2
 end_time = "8 s"
@@ -61,7 +48,7 @@ displacement = ["0.03*sin(t)*X + 0.01*t*Y", "0.02*sin(2*t)*X - 0.01*sin(1.5*t)*Y
                      "driven.toml");
 }
 
-Mat<3> gradient_at(double t) {
+Mat<3> led_to(double t) {
   Mat<3> F = Mat<3>::Identity();
   F(0, 0) += 0.03 * std::sin(t);
   F(0, 1) += 0.01 * t;
@@ -73,13 +60,13 @@ Mat<3> gradient_at(double t) {
 TEST(PlasticEquilibrium, HasTheStressOfAPointThatIsLedByItsLoadSteps) {
   for (const std::string& method : schemes) {
     if (method.find("improved") != std::string::npos) continue;  // its F is not affine at the edges
-    const Scene scene = driven(method);
+    const Scene scene = driven_in_load_steps(method);
     auto simulation = make_simulation<2>(scene).simulation;
     RunRecord record;
     ASSERT_TRUE(run<2>(simulation, {}, record).completed()) << method;
     const MaterialPoint point = make_point(scene.material.law(), scene.material.elastic());
     PointState state;
-    for (int n = 1; n <= 8; ++n) state = point(gradient_at(n));
+    for (int n = 1; n <= 8; ++n) state = point(led_to(n));
     const Snapshot<2> end = simulation.snapshot();
     EXPECT_GT(*state.plastic_strain, 0.1);
     for (std::size_t i = 0; i < end.X.size(); ++i) {
@@ -120,7 +107,7 @@ displacement = ["0.004*t", "0.03*t"]
 }
 
 /// ||r_{n+1}|| is of the order of ||r_n||^2, where r is small and far above rounding, which is 1e-13 of the forces.
-void expect_quadratic(const std::vector<double>& r, const std::string& method, int& judged) {
+void expect_squares(const std::vector<double>& r, const std::string& method, int& judged) {
   for (std::size_t n = 0; n + 1 < r.size(); ++n) {
     if (r[n] > 1e-3 || r[n + 1] < 1e-12) continue;
     EXPECT_GT(std::log(r[n + 1]) / std::log(r[n]), 1.6) << method << " " << r[n] << " " << r[n + 1];
@@ -135,7 +122,7 @@ TEST(PlasticEquilibrium, NewtonsMethodHasTheTangentOfTheIncrement) {
     int judged = 0;
     double flowing = 0;
     const OnLoadStep look = [&](const BodyMotion&, const LoadStep& step) {
-      expect_quadratic(step.newton.residuals, method, judged);
+      expect_squares(step.newton.residuals, method, judged);
     };
     const auto search = [&](StoredEnergy<2> energy, const Actions<2>& actions) {
       BodyMotion motion{Eigen::VectorXd::Zero(2 * energy.cloud.size()),
@@ -267,7 +254,9 @@ TEST(PlasticEquilibrium, TheMidpointRuleAgreesWithVerlets) {
       }
       EXPECT_GT(most, 5e-3);
       EXPECT_LT(apart, 0.02 * most) << kind << dt;
-      if (before > 0) EXPECT_LT(apart, 0.6 * before) << kind;
+      if (before > 0) {
+        EXPECT_LT(apart, 0.6 * before) << kind;
+      }
       before = apart;
     }
     double flowed = 0;

@@ -6,11 +6,14 @@
 #include "lib/core/error.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/simulation.hpp"
+#include "tests/support/plastic.hpp"
 
 namespace plumb {
 namespace {
 
-Scene bar(const std::string& scheme, const std::string& material, const std::string& initial) {
+using testing::shown;
+
+Scene cook_bar(const std::string& scheme, const std::string& material, const std::string& initial) {
   return parse_scene(R"([scene]
 dimension = 2
 end_time = "4 us"
@@ -31,42 +34,38 @@ melting_temperature = 900
                      "bar.toml");
 }
 
-Snapshot<2> end_of(const Scene& scene) {
+Snapshot<2> flown(const Scene& scene) {
   auto simulation = make_simulation<2>(scene).simulation;
   RunRecord record;
   EXPECT_TRUE(run<2>(simulation, {}, record).completed());
   return simulation.snapshot();
 }
 
-const std::vector<double>& shown(const Snapshot<2>& snapshot, const std::string& name) {
-  for (const NamedValues& more : snapshot.more)
-    if (more.name == name) return more.values;
-  throw std::runtime_error("no " + name);
-}
-
 TEST(TemperatureOfTheStart, IsTheFormulaAtEveryParticle) {
   for (const char* scheme : {"eulerian", "updated"}) {
-    const Scene scene = bar(scheme, "", "temperature = \"300 + 2e4*X\"\n");
-    const Snapshot<2> start = make_simulation<2>(scene).simulation.snapshot(), end = end_of(scene);
+    const Scene scene = cook_bar(scheme, "", "temperature = \"300 + 2e4*X\"\n");
+    const Snapshot<2> start = make_simulation<2>(scene).simulation.snapshot(), end = flown(scene);
     for (std::size_t i = 0; i < start.X.size(); ++i) {
       EXPECT_DOUBLE_EQ(shown(start, "temperature")[i], 300 + 2e4 * start.X[i][0]);
       EXPECT_DOUBLE_EQ(shown(end, "temperature")[i],
                        shown(start, "temperature")[i]);  // nothing heats: no heat_capacity
     }
-    // the whole bar strains alike at first, and the warm end flows more: at 690 K yields 35 % of the stress
+    // the whole bar strains alike at first, and the warm half flows more: 580 K leave 53 % of the yield stress, 420 K leave 80 %
     double cold = 0, warm = 0;
     for (std::size_t i = 0; i < end.X.size(); ++i) {
-      if (end.X[i][0] < 0.004) cold = std::max(cold, shown(end, "plastic strain")[i]);
-      if (end.X[i][0] > 0.016) warm = std::max(warm, shown(end, "plastic strain")[i]);
+      if (end.X[i][0] < 0.009) cold = std::max(cold, shown(end, "plastic strain")[i]);
+      if (end.X[i][0] > 0.011) warm = std::max(warm, shown(end, "plastic strain")[i]);
     }
-    EXPECT_GT(warm, cold + 1e-3) << scheme;
+    EXPECT_GT(warm, 1.2 * cold) << scheme;
+    EXPECT_GT(warm, 1e-3) << scheme;
   }
 }
 
 TEST(TemperatureOfTheStart, AUniformOneIsThatOfTheMaterial) {
   for (const char* scheme : {"eulerian", "updated"}) {
-    const Snapshot<2> a = end_of(bar(scheme, "temperature = 600\n", "")),
-                      b = end_of(bar(scheme, "", "temperature = 600\n")), cold = end_of(bar(scheme, "", ""));
+    const Snapshot<2> a = flown(cook_bar(scheme, "temperature = 600\n", "")),
+                      b = flown(cook_bar(scheme, "", "temperature = 600\n")),
+                      cold = flown(cook_bar(scheme, "", ""));
     double differs = 0;
     for (std::size_t i = 0; i < a.X.size(); ++i) {
       EXPECT_EQ(a.x[i], b.x[i]) << scheme;

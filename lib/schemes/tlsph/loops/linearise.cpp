@@ -23,15 +23,61 @@ SparseMatrix built(Index rows, Index columns, const Triplets& entries) {
   return m;
 }
 
+/// What one particle has to do with another: a d x d table of numbers.
+template <int d>
+struct Share {
+  Index other;
+  int number;  ///< in the order in which they were found
+  Mat<d> table;
+};
+template <int d>
+using Shares = std::vector<Share<d>>;
+
+template <int d>
+void add(Shares<d>& shares, Index other, const Mat<d>& table) {
+  shares.push_back({other, static_cast<int>(shares.size()), table});
+}
+
+/// In the order of the others, each once. (Not by std::stable_sort: its buffer is not aligned as small matrices are.)
+template <int d>
+void tidy(Shares<d>& shares) {
+  std::sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+    return a.other != b.other ? a.other < b.other : a.number < b.number;
+  });
+  std::size_t end = 0;
+  for (const auto& share : shares) {
+    if (end > 0 && shares[end - 1].other == share.other)
+      shares[end - 1].table += share.table;
+    else
+      shares[end++] = share;
+  }
+  shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(end), shares.end());
+}
+
+/// A matrix that is filled row by row: row_of(i, shares) gives what particle i has to do with others, and append(rows, i, shares)
+/// puts it there. Large clouds have no room for a list of all entries beside it.
+template <int d, class RowOf, class Append>
+SparseMatrix filled(Index particles, Index rows, Index columns, RowOf&& row_of, Append&& append) {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> m(rows, columns);
+  Shares<d> shares;
+  for (Index i = 0; i < particles; ++i) {
+    shares.clear();
+    row_of(i, shares);
+    tidy<d>(shares);
+    if (i == 0) m.reserve(static_cast<Index>(shares.size()) * d * d * particles);
+    append(m, i, shares);
+  }
+  m.finalize();
+  return m;
+}
+
 /// G: displacements to deformation gradients, rows d^2 particle + d a + b.
 template <int d>
 SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
-  Triplets entries;
-  for (Index i = 0; i < solid.cloud.size(); ++i) {
+  const auto row_of = [&](Index i, Shares<d>& shares) {
     Vec<d> sum = Vec<d>::Zero();
     const auto put = [&](Index j, const Vec<d>& c, const Vec<d>& signs = Vec<d>::Ones()) {
-      for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b) entries.emplace_back(d * d * i + d * a + b, d * j + a, signs[a] * c[b]);
+      add<d>(shares, j, signs * c.transpose());
       sum += c;
     };
     const Index own = solid.bonds.slots.of(i);
@@ -43,22 +89,26 @@ SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& 
       if (c.squaredNorm() > 0) put(particle[bond.other], c, signs);
     });
     put(i, -sum);
-  }
-  return built<d>(d * d * solid.cloud.size(), d * solid.cloud.size(), entries);
+  };
+  const auto append = [](auto& m, Index i, const Shares<d>& shares) {
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b) {
+        m.startVec(d * d * i + d * a + b);
+        for (const Share<d>& s : shares) m.insertBack(d * d * i + d * a + b, d * s.other + a) = s.table(a, b);
+      }
+  };
+  const Index n = solid.cloud.size();
+  return filled<d>(n, d * d * n, d * n, row_of, append);
 }
 
 /// -V D: first Piola-Kirchhoff stresses to minus the force on each particle.
 template <int d>
 SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
   const BondTable<d>& t = solid.bonds;
-  Triplets entries;
-  for (Index i = 0; i < solid.cloud.size(); ++i) {
+  const auto row_of = [&](Index i, Shares<d>& shares) {
     const Index slot = t.slots.of(i), row = t.row[slot / t.width], lane = slot % t.width;
     const auto put = [&](Index j, const Vec<d>& weight, const Vec<d>& signs = Vec<d>::Ones()) {
-      for (int a = 0; a < d; ++a)
-        for (int b = 0; b < d; ++b)
-          entries.emplace_back(d * i + a, d * d * j + d * a + b,
-                               -solid.cloud.V[i] * signs[a] * signs[b] * weight[b]);
+      add<d>(shares, j, -solid.cloud.V[i] * signs * signs.cwiseProduct(weight).transpose());
     };
     Vec<d> own;
     for (int k = 0; k < d; ++k) own[k] = t.own_force[(row * d + k) * t.width + lane];
@@ -72,8 +122,16 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
       const Vec<d> a = bond.vector(t.mirror->force);
       if (a.squaredNorm() > 0) put(particle[bond.other], a, signs);
     });
-  }
-  return built<d>(d * solid.cloud.size(), d * d * solid.cloud.size(), entries);
+  };
+  const auto append = [](auto& m, Index i, const Shares<d>& shares) {
+    for (int a = 0; a < d; ++a) {
+      m.startVec(d * i + a);
+      for (const Share<d>& s : shares)
+        for (int b = 0; b < d; ++b) m.insertBack(d * i + a, d * d * s.other + d * a + b) = s.table(a, b);
+    }
+  };
+  const Index n = solid.cloud.size();
+  return filled<d>(n, d * n, d * d * n, row_of, append);
 }
 
 }  // namespace
