@@ -175,9 +175,14 @@ Advice advice_for(const Table& table, const Outcomes& outcomes, const Problem& p
   return {question, reach[0].name, because + "."};
 }
 
-std::vector<Advice> advice(const Table& table, const Outcomes& outcomes) {
+std::vector<Advice> advice_by_problem(const Table& table, const Outcomes& outcomes) {
   std::vector<Advice> all;
   for (const auto& problem : table.problems) all.push_back(advice_for(table, outcomes, problem));
+  return all;
+}
+
+std::vector<Advice> advice_over_all(const Table& table, const Outcomes& outcomes) {
+  std::vector<Advice> all;
   for (const auto& problem : table.problems)
     if (auto one = about_momenta(table, outcomes, problem)) all.push_back(std::move(*one));
   all.push_back(about_energy(table, outcomes));

@@ -26,9 +26,12 @@ struct Advice {
 /// one and finite elements beside it; the one that comes closest, if none reaches it.
 Advice advice_for(const Table& table, const Outcomes& outcomes, const Problem& problem);
 
-/// The same for all problems, then what holds over them: momenta, energy, what a harder form costs, and what
-/// the mended form of each paper changes.
-std::vector<Advice> advice(const Table& table, const Outcomes& outcomes);
+/// The same for every problem.
+std::vector<Advice> advice_by_problem(const Table& table, const Outcomes& outcomes);
+
+/// What holds over the problems: momenta, energy, what a harder form costs, and what the mended form of each
+/// paper changes.
+std::vector<Advice> advice_over_all(const Table& table, const Outcomes& outcomes);
 
 /// The particle scheme that is taken for most problems, and for how many. Empty name: for none.
 std::pair<std::string, std::size_t> most_taken(const Table& table, const Outcomes& outcomes);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lib/input/section.hpp"
+#include "reports/comparison/steps.hpp"
 
 namespace plumb::reports::comparison {
 namespace {
@@ -37,6 +38,7 @@ Cell read_cell(const Keys& section) {
   cell.breaks = section.flag_or("breaks", false);
   cell.within = section.optional_number("within", quantity::number, Sign::positive);
   cell.other_law = section.flag_or("other_law", false);
+  cell.cannot = section.text_or("cannot", "");
   cell.note = section.text_or("note", "");
   section.reject_unknown();
   return cell;
@@ -63,6 +65,39 @@ Quantity read_quantity(const Keys& section, bool study) {
   return q;
 }
 
+/// The cells of a problem or of the ladder, one for each scheme that they name.
+std::vector<std::pair<std::string, Cell>> read_cells(const Keys& section,
+                                                     const std::vector<Scheme>& schemes) {
+  std::vector<std::pair<std::string, Cell>> cells;
+  for (const Keys& given : section.sections("cell")) {
+    const auto names = given.texts("schemes");
+    const Cell cell = read_cell(given);
+    for (const auto& name : names) {
+      const auto is_it = [&](const auto& one) { return one.id == name; };
+      if (std::none_of(schemes.begin(), schemes.end(), is_it))
+        given.fail("schemes", fmt::format("there is no scheme \"{}\"", name), "");
+      if (std::any_of(cells.begin(), cells.end(), [&](const auto& one) { return one.first == name; }))
+        given.fail("schemes", fmt::format("\"{}\" has a cell already", name), "");
+      cells.emplace_back(name, cell);
+    }
+  }
+  return cells;
+}
+
+StepLadder read_ladder(const Keys& section, const std::vector<Scheme>& schemes) {
+  StepLadder ladder;
+  ladder.scene = section.text("scene");
+  ladder.set = texts_or_none(section, "set");
+  ladder.cfl = section.numbers("cfl", 0, quantity::number, Sign::positive);
+  if (!std::is_sorted(ladder.cfl.begin(), ladder.cfl.end()))
+    section.fail("cfl", "they do not go from small to large", "");
+  ladder.wave_time = section.number("wave_time", quantity::time, Sign::positive);
+  ladder.energy_within = section.number("energy_within", quantity::number, Sign::positive);
+  ladder.cells = read_cells(section, schemes);
+  section.reject_unknown();
+  return ladder;
+}
+
 Problem read_problem(const Keys& section, const std::vector<Scheme>& schemes, bool long_run) {
   Problem p;
   p.id = section.text("id");
@@ -84,18 +119,7 @@ Problem read_problem(const Keys& section, const std::vector<Scheme>& schemes, bo
   p.still = section.flag_or("still", false);
   p.free = section.flag_or("free", false);
   p.beside = section.text_or("beside", "");
-  for (const Keys& given : section.sections("cell")) {
-    const auto names = given.texts("schemes");
-    const Cell cell = read_cell(given);
-    for (const auto& name : names) {
-      const auto is_it = [&](const auto& one) { return one.id == name; };
-      if (std::none_of(schemes.begin(), schemes.end(), is_it))
-        given.fail("schemes", fmt::format("there is no scheme \"{}\"", name), "");
-      if (std::any_of(p.cells.begin(), p.cells.end(), [&](const auto& one) { return one.first == name; }))
-        given.fail("schemes", fmt::format("\"{}\" has a cell already", name), "");
-      p.cells.emplace_back(name, cell);
-    }
-  }
+  p.cells = read_cells(section, schemes);
   section.reject_unknown();
   return p;
 }
@@ -115,6 +139,10 @@ void add(std::vector<std::string>& arguments, const std::vector<std::string>& se
 }  // namespace
 
 Cell Problem::cell(const std::string& scheme) const {
+  return cell_of(cells, scheme);
+}
+
+Cell cell_of(const std::vector<std::pair<std::string, Cell>>& cells, const std::string& scheme) {
   for (const auto& [name, one] : cells)
     if (name == scheme) return one;
   return {};
@@ -127,6 +155,7 @@ Table read_table(const std::string& text, const std::string& file, bool long_run
   const auto schemes = root.sections("scheme"), problems = root.sections("problem");
   for (const Keys& one : schemes) table.schemes.push_back(read_scheme(one));
   for (const Keys& one : problems) table.problems.push_back(read_problem(one, table.schemes, long_run));
+  if (const auto ladder = root.optional_section("ladder")) table.ladder = read_ladder(*ladder, table.schemes);
   root.reject_unknown();
   require_different(schemes, table.schemes);
   require_different(problems, table.problems);
@@ -169,6 +198,9 @@ std::vector<Job> jobs_of(const Table& table) {
   for (const auto& problem : table.problems)
     for (const auto& scheme : table.schemes)
       for (auto& job : jobs_of(problem, scheme)) all.push_back(std::move(job));
+  if (table.ladder)
+    for (const auto& scheme : table.schemes)
+      for (auto& job : jobs_of(*table.ladder, scheme)) all.push_back(std::move(job));
   return all;
 }
 

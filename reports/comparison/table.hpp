@@ -40,6 +40,7 @@ struct Cell {
   bool breaks = false;           ///< a level becomes unstable
   std::optional<double> within;  ///< bound of the error at the finest spacing
   bool other_law = false;  ///< its law is another one at the strains of the problem: it is not recommended
+  std::string cannot;      ///< not empty: it is not run, and this says why
   std::string note;
 };
 
@@ -61,9 +62,23 @@ struct Problem {
   Cell cell(const std::string& scheme) const;
 };
 
+/// One scene with CFL numbers from small to large.
+struct StepLadder {
+  std::string scene;
+  std::vector<std::string> set;
+  std::vector<double> cfl;
+  double wave_time = 1;      ///< that a pressure wave needs from particle to particle [s]
+  double energy_within = 0;  ///< a run whose energy changes by a larger share is not stable
+  std::vector<std::pair<std::string, Cell>> cells;
+};
+
+/// The cell of that scheme, or an empty one.
+Cell cell_of(const std::vector<std::pair<std::string, Cell>>& cells, const std::string& scheme);
+
 struct Table {
   std::vector<Scheme> schemes;
   std::vector<Problem> problems;
+  std::optional<StepLadder> ladder;
 };
 
 /// Reads the table; `long_run` adds the spacings that are for long runs. Throws SceneError with file and line
@@ -74,7 +89,7 @@ Table read_table(const std::string& text, const std::string& file, bool long_run
 /// scheme refuses.
 std::vector<Job> jobs_of(const Problem& problem, const Scheme& scheme);
 
-/// The calls of all cells.
+/// The calls of all cells, those of the ladder included.
 std::vector<Job> jobs_of(const Table& table);
 
 }  // namespace plumb::reports::comparison

@@ -6,6 +6,7 @@
 #include "reports/assets.hpp"
 #include "reports/checks.hpp"
 #include "reports/comparison/advice.hpp"
+#include "reports/comparison/steps.hpp"
 #include "reports/scheme_look.hpp"
 
 namespace plumb::reports::sections {
@@ -144,9 +145,30 @@ DataTable energies(const Table& table, const Outcomes& outcomes) {
   return out;
 }
 
-DataTable which_scheme(const Table& table, const Outcomes& outcomes) {
-  DataTable out{"five-which", "Which scheme should I take", {{"question"}, {"take"}, {"because"}}, {}};
-  for (const auto& one : advice(table, outcomes)) out.rows.push_back({one.question, one.take, one.because});
+DataTable advice_table(std::string id, std::string title, const std::vector<Advice>& all) {
+  DataTable out{std::move(id), std::move(title), {{"question"}, {"take"}, {"because"}}, {}};
+  for (const auto& one : all) out.rows.push_back({one.question, one.take, one.because});
+  return out;
+}
+
+DataTable steps(const Results& results, const Table& table) {
+  DataTable out{"five-steps",
+                "The largest stable step: free spin, CFL numbers from small to large",
+                {{"scheme"},
+                 {"largest stable CFL number"},
+                 {"its step", "s", 3},
+                 {"over the time of a wave between particles", "", 3},
+                 {"the next CFL number"}},
+                {}};
+  for (const auto& scheme : table.schemes) {
+    const LargestStep found = largest_step(results, *table.ladder, scheme);
+    std::optional<double> share;
+    if (found.step) share = *found.step / table.ladder->wave_time;
+    out.rows.push_back(
+        {scheme.name,
+         found.cfl ? fmt::format("{}{:.3g}", found.at_least ? "at least " : "", *found.cfl) : "none",
+         entry(found.step), entry(share), found.next});
+  }
   return out;
 }
 
@@ -232,10 +254,15 @@ Section write(const Results& results, bool long_run) {
   s.checks = checks_of(table, outcomes);
   for (const auto& problem : table.problems)
     if (auto figure = cost_figure(table, outcomes, problem)) s.figures.push_back(std::move(*figure));
-  s.tables = {which_scheme(table, outcomes),   overview(table, outcomes, false),
-              overview(table, outcomes, true), numbers(table, outcomes),
-              energies(table, outcomes),       truths(table)};
-  s.tables_above = 3;  // what to take, and the two overviews
+  s.tables = {advice_table("five-which", "Which scheme should I take", advice_by_problem(table, outcomes)),
+              advice_table("five-over-all", "What holds over the problems", advice_over_all(table, outcomes)),
+              overview(table, outcomes, false),
+              overview(table, outcomes, true),
+              numbers(table, outcomes),
+              energies(table, outcomes),
+              truths(table)};
+  if (table.ladder) s.tables.push_back(steps(results, table));
+  s.tables_above = 4;  // what to take, and the two overviews
   s.notes = {
       "000, mended, is what a scene without a [method] gets. A scheme is its defaults (mended) or the keys that its paper prints; what was added on one problem stands "
       "in the note of its row or in the command.",

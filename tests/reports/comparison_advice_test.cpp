@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reports/assets.hpp"
+#include "reports/comparison/steps.hpp"
 #include "reports/named.hpp"
 #include "reports/scheme_look.hpp"
 #include "tests/reports/comparison_given.hpp"
@@ -27,8 +28,8 @@ TEST(ComparisonAdvice, EverySentenceHasItsNumber) {
   fill(given);
   const Table t = table();
   const Outcomes outcomes = outcomes_of(given.results, t);
-  const auto all = advice(t, outcomes);
-  const Advice& plate = about(all, "Plate: a plate?");
+  const auto problems = advice_by_problem(t, outcomes), all = advice_over_all(t, outcomes);
+  const Advice& plate = about(problems, "Plate: a plate?");
   EXPECT_EQ(plate.take, "x, mended");  // elements are cheaper, and no particles
   EXPECT_EQ(plate.because, "An error of 20 % takes 2 s of CPU time; finite elements take at most 0.5 s.");
   const Advice& momenta = about(all, "angular momentum (Bar)");
@@ -67,12 +68,63 @@ TEST(ComparisonAdvice, OnlyWhatIsSoundIsTaken) {
   EXPECT_EQ(advice_for(t, broken, plate).take, "x, mended");
   outcomes[{"plate", "x-printed"}].other_law = true;
   EXPECT_EQ(advice_for(t, outcomes, plate).take, "x, mended");
-  EXPECT_THROW(about(advice(t, outcomes), "Paper 003"), std::runtime_error);  // nor compared with
+  EXPECT_THROW(about(advice_over_all(t, outcomes), "Paper 003"), std::runtime_error);  // nor compared with
   outcomes[{"plate", "x"}] = with({{0.9, 1}, {0.3, 4}});
   const Advice none = advice_for(t, outcomes, plate);
   EXPECT_EQ(none.take, "none");
   EXPECT_EQ(none.because,
             "None has an error of 20 % at these spacings. x, mended comes closest: 30 % in 4 s.");
+}
+
+/// The step before the first CFL number that breaks, or with which the energy changes too much.
+TEST(ComparisonAdvice, TheLargestStableStep) {
+  const Table t = read_table(schemes + R"(
+[ladder]
+scene = "spin.toml"
+set = ["body.spacing=0.1"]
+cfl = [0.5, 1, 2]
+wave_time = 0.5
+energy_within = 0.2
+[[ladder.cell]]
+schemes = ["x-printed"]
+cannot = "it has no step"
+[[ladder.cell]]
+schemes = ["x"]
+set = ["mixed.upwind=none"]
+)",
+                             "table.toml", false);
+  const StepLadder& ladder = *t.ladder;
+  const Scheme x = by_id(t.schemes, "x"), element = by_id(t.schemes, "element");
+  ASSERT_EQ(jobs_of(t).size(), 6u);
+  EXPECT_EQ(jobs_of(ladder, x)[1].arguments,
+            (std::vector<std::string>{"run", "spin.toml", "--set", "body.spacing=0.1", "--set",
+                                      "method.scheme=mixed", "--set", "mixed.upwind=none", "--set",
+                                      "method.cfl=1", "--out", "{out}"}));
+  Given given;
+  const auto rung = [&](const std::string& id, double dt, double change, const Json& failure) {
+    Json result = run(1, 1, 1);
+    result["dt"] = {{"first", dt}};
+    result["energy"]["relative_change"] = change;
+    result["failure"] = failure;
+    given.add(id, result);
+  };
+  const Json broken{{"cause", "inverted"}, {"time", 0.125}};
+  rung("five-step-x-1", 0.1, 0.1, nullptr);
+  rung("five-step-x-2", 0.2, 0.1, broken);
+  rung("five-step-x-3", 0.4, 0.1, nullptr);  // by chance: a smaller one broke
+  const LargestStep found = largest_step(given.results, ladder, x);
+  EXPECT_EQ(found.cfl, 0.5);
+  EXPECT_EQ(found.step, 0.1);
+  EXPECT_FALSE(found.at_least);
+  EXPECT_EQ(found.next, "1: inverted at 0.125 s");
+  rung("five-step-x-2", 0.2, -0.3, nullptr);
+  EXPECT_EQ(largest_step(given.results, ladder, x).next, "1: its energy changes by -30 %");
+  rung("five-step-x-2", 0.2, -0.1, nullptr);
+  EXPECT_TRUE(largest_step(given.results, ladder, x).at_least);
+  EXPECT_EQ(largest_step(given.results, ladder, x).cfl, 2);
+  EXPECT_EQ(largest_step(given.results, ladder, by_id(t.schemes, "x-printed")).next, "it has no step");
+  EXPECT_FALSE(largest_step(given.results, ladder, by_id(t.schemes, "x-printed")).cfl.has_value());
+  EXPECT_THROW(largest_step(given.results, ladder, element), MissingResult);
 }
 
 /// A scheme has one colour and one point shape; as printed it is dashed and hollow.
