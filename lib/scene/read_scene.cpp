@@ -57,6 +57,17 @@ void refuse_temperature(const Section& root, const Scene& scene) {
                  "leave out one of them");
 }
 
+/// Conjugate gradients need a symmetric tangent.
+void refuse_following_pressure(const Section& root, const Scene& scene) {
+  if (scene.method.implicit.solver != LinearSolver::iterative) return;
+  for (const Boundary& boundary : scene.boundaries)
+    if (boundary.kind == BoundaryKind::pressure)
+      root.section("implicit")
+          .fail("solver", "\"iterative\" beside a pressure that follows",
+                "its tangent is not symmetric, and conjugate gradients need that",
+                "use solver = \"direct\", or a traction in place of the pressure");
+}
+
 /// What has no rest, or none that a run in time finds.
 void refuse_restless(const Section& root, const Scene& scene) {
   const Section section = root.section("relaxation");
@@ -117,6 +128,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.initial = read_initial(root, scene.dimension);
   refuse_temperature(root, scene);
   scene.boundaries = read_boundaries(root, scene.dimension);
+  refuse_following_pressure(root, scene);
   scene.relaxation = read_relaxation(root);
   scene.output = read_output(root, scene.body);
   if (scene.relaxation) refuse_restless(root, scene);
