@@ -44,19 +44,6 @@ NeighbourCounts count_neighbours(const ElementBody<d>& body) {
   return counts;
 }
 
-/// Rows for a vector or tensor of that many components at each place.
-template <class Rows>
-SparseMatrix per_component(const Rows& rows, int components) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index r = 0; r < rows.rows(); ++r)
-    for (typename Rows::InnerIterator it(rows, r); it; ++it)
-      for (int k = 0; k < components; ++k)
-        entries.emplace_back(components * r + k, components * it.col() + k, it.value());
-  SparseMatrix m(components * rows.rows(), components * rows.cols());
-  m.setFromTriplets(entries.begin(), entries.end());
-  return m;
-}
-
 /// u -> F - I at every point, numbered d^2 x point + d x row + column.
 template <int d>
 SparseMatrix gradient_operator(const typename ElementBody<d>::Rows& slopes) {
@@ -282,10 +269,10 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   operators.identity = identities<d>(body_.points());
   operators.force =
       SparseMatrix(gradient_operator<d>(typename ElementBody<d>::Rows(body_.forces.transpose())).transpose());
-  operators.terms = per_component(body_.springs, d);
+  operators.terms = body_.springs;
   if (outside_.needs_F())
     made.at_particles = {identities<d>(body_.cloud.size()),
-                         per_component(body_.mean, d * d) * operators.gradient};
+                         per_component(SparseMatrix(body_.mean), d * d) * operators.gradient};
   made.cloud = body_.cloud;
   made.elastic = body_.elastic;
   made.slots = layout();

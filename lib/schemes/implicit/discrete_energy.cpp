@@ -48,7 +48,7 @@ void DiscreteEnergy<d>::take_parts() {
   for (std::size_t n = 0; n < all.size(); ++n) all[n] = static_cast<Index>(n);
   gradient_part_ = part_of(operators.gradient, all, unknowns_);
   force_part_ = part_of(operators.force, unknowns_, all);
-  terms_part_ = part_of(operators.terms, unknowns_, unknowns_);
+  terms_part_ = part_of(per_component(operators.terms, d), unknowns_, unknowns_);
 }
 
 template <int d>
@@ -79,7 +79,7 @@ template <int d>
 Eigen::VectorXd DiscreteEnergy<d>::tangent_times(const Eigen::VectorXd& v) const {
   const LinearOperators& operators = stored_.operators;
   const Eigen::VectorXd stress = material_ * (operators.gradient * v);
-  return operators.force * stress + operators.terms * v;
+  return operators.force * stress + component_product<d>(operators.terms, v);
 }
 
 template <int d>
@@ -87,7 +87,7 @@ Eigen::VectorXd DiscreteEnergy<d>::largest_products(const Eigen::VectorXd& u) co
   const LinearOperators& operators = stored_.operators;
   const Eigen::VectorXd size = u.cwiseAbs();
   const Eigen::VectorXd stress = size_of_product(material_, size_of_product(operators.gradient, size));
-  return size_of_product(operators.force, stress) + size_of_product(operators.terms, size);
+  return size_of_product(operators.force, stress) + component_product<d>(operators.terms.cwiseAbs(), size);
 }
 
 template <int d>

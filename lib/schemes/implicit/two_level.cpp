@@ -54,6 +54,14 @@ SparseMatrix linear_on_grid(const Cloud<d>& cloud, const std::vector<Index>& unk
   return part_of(all, rows, seen);
 }
 
+/// The rows of one of `components`, particle by particle.
+SparseMatrix component_of(const SparseMatrix& all, int component, int components) {
+  std::vector<Index> rows, columns;
+  for (Index n = component; n < all.rows(); n += components) rows.push_back(n);
+  for (Index n = 0; n < all.cols(); ++n) columns.push_back(n);
+  return part_of(all, rows, columns);
+}
+
 /// w of every place with D = (w G)^T, from its largest entry.
 template <int d>
 Eigen::VectorXd weights_of_places(const LinearOperators& operators) {
@@ -85,7 +93,12 @@ TwoLevel<d>::TwoLevel(const Cloud<d>& cloud, const LinearOperators& operators,
     : operators_(operators), unknowns_(unknowns), place_weight_(weights_of_places<d>(operators)) {
   const SparseMatrix all = linear_on_grid(cloud, unknowns);
   coarse_gradient_ = operators.gradient * all;
-  coarse_terms_ = SparseMatrix(all.transpose()) * SparseMatrix(operators.terms * all);
+  coarse_terms_.resize(all.cols(), all.cols());
+  if (operators.terms.nonZeros() > 0)
+    for (int k = 0; k < d; ++k) {
+      const SparseMatrix part = component_of(all, k, d);
+      coarse_terms_ += SparseMatrix(SparseMatrix(part.transpose()) * SparseMatrix(operators.terms * part));
+    }
   std::vector<Index> columns(static_cast<std::size_t>(all.cols()));
   for (std::size_t n = 0; n < columns.size(); ++n) columns[n] = static_cast<Index>(n);
   coarse_ = part_of(all, unknowns, columns);
@@ -143,9 +156,7 @@ void TwoLevel<d>::find_blocks(const SparseMatrix& material, const Eigen::VectorX
       B += place_weight_[place] * slope.transpose() * T * slope;
     }
     for (int k = 0; k < d; ++k) {
-      if (operators_.terms.nonZeros() > 0)
-        for (SparseMatrix::InnerIterator it(operators_.terms, d * j + k); it; ++it)
-          if (it.row() / d == j) B(it.row() % d, k) += it.value();
+      B(k, k) += operators_.terms.coeff(j, j);
       if (weight.size() > 0) B(k, k) += weight[d * j + k];
     }
     B = Mat<d>(0.5 * (B + B.transpose()));

@@ -1,6 +1,7 @@
 #include "lib/schemes/tlsph/loops/linearise.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
 
@@ -134,7 +135,74 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
   return filled<d>(n, d * n, d * d * n, row_of, append);
 }
 
+/// Sums of entries row by row. A row is put in order whenever it has doubled, so that the list never is much longer than the
+/// matrix; what meets in one place is added in the order in which it came.
+class RowSums {
+ public:
+  explicit RowSums(Index rows)
+      : rows_(static_cast<std::size_t>(rows)), in_order_(static_cast<std::size_t>(rows), 0) {}
+
+  void add(Index row, Index column, double value) {
+    auto& entries = rows_[static_cast<std::size_t>(row)];
+    entries.emplace_back(static_cast<SparseMatrix::StorageIndex>(column), value);
+    if (entries.size() > 2 * in_order_[static_cast<std::size_t>(row)] + 64) put_in_order(row);
+  }
+
+  SparseMatrix matrix() {
+    const auto count = static_cast<Index>(rows_.size());
+    Index entries = 0;
+    for (Index row = 0; row < count; ++row) {
+      put_in_order(row);
+      entries += static_cast<Index>(rows_[static_cast<std::size_t>(row)].size());
+    }
+    Eigen::SparseMatrix<double, Eigen::RowMajor> m(count, count);
+    m.reserve(entries);
+    for (Index row = 0; row < count; ++row) {
+      m.startVec(row);
+      for (const auto& [column, value] : rows_[static_cast<std::size_t>(row)])
+        m.insertBack(row, column) = value;
+      std::vector<Entry>().swap(rows_[static_cast<std::size_t>(row)]);
+    }
+    m.finalize();
+    return m;
+  }
+
+ private:
+  using Entry = std::pair<SparseMatrix::StorageIndex, double>;
+
+  void put_in_order(Index row) {
+    auto& entries = rows_[static_cast<std::size_t>(row)];
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.first < b.first; });
+    std::size_t end = 0;
+    for (const Entry& entry : entries) {
+      if (end > 0 && entries[end - 1].first == entry.first)
+        entries[end - 1].second += entry.second;
+      else
+        entries[end++] = entry;
+    }
+    entries.resize(end);
+    in_order_[static_cast<std::size_t>(row)] = end;
+  }
+
+  std::vector<std::vector<Entry>> rows_;
+  std::vector<std::size_t> in_order_;
+};
+
 }  // namespace
+
+SparseMatrix per_component(const SparseMatrix& between_particles, int components) {
+  SparseMatrix all(components * between_particles.rows(), components * between_particles.cols());
+  all.reserve(components * between_particles.nonZeros());
+  for (Index c = 0; c < between_particles.cols(); ++c)
+    for (int k = 0; k < components; ++k) {
+      all.startVec(components * c + k);
+      for (SparseMatrix::InnerIterator it(between_particles, c); it; ++it)
+        all.insertBack(components * it.row() + k, components * c + k) = it.value();
+    }
+  all.finalize();
+  return all;
+}
 
 template <int d>
 LinearOperators linear_operators(const Solid<d>& solid) {
@@ -142,12 +210,11 @@ LinearOperators linear_operators(const Solid<d>& solid) {
   LinearOperators operators;
   operators.gradient = gradient_operator(solid, particle);
   operators.force = force_operator(solid, particle);
-  std::vector<StiffnessEntry> extra;
+  RowSums terms(solid.cloud.size());
   for (const auto& term : solid.terms)
-    if (term.stiffness) term.stiffness(solid, extra);
-  Triplets entries;
-  for (const auto& e : extra) entries.emplace_back(e.row, e.column, e.value);
-  operators.terms = built<d>(d * solid.cloud.size(), d * solid.cloud.size(), entries);
+    if (term.stiffness)
+      term.stiffness(solid, [&](Index i, Index j, double value) { terms.add(i, j, value); });
+  operators.terms = terms.matrix();
   operators.identity.resize(d * d * solid.cloud.size());
   Mat<d> identity = Mat<d>::Zero();
   for (Index i = 0; i < solid.cloud.size(); ++i) {
@@ -184,7 +251,7 @@ Linearised linearise(const Solid<d>& solid) {
   Linearised result;
   const SparseMatrix stress = tangent_operator(solid, operators.identity) * operators.gradient;
   result.stiffness = operators.force * stress;
-  if (operators.terms.nonZeros() > 0) result.stiffness += operators.terms;
+  if (operators.terms.nonZeros() > 0) result.stiffness += per_component(operators.terms, d);
   result.mass = masses_of(solid);
   return result;
 }
