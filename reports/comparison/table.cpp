@@ -120,6 +120,12 @@ Problem read_problem(const Keys& section, const std::vector<Scheme>& schemes, bo
   p.free = section.flag_or("free", false);
   p.beside = section.text_or("beside", "");
   p.cells = read_cells(section, schemes);
+  for (const Keys& given : section.sections("public")) {
+    p.others.push_back({given.text("code"), given.number("value", quantity::number), given.text("note")});
+    given.reject_unknown();
+  }
+  if (!p.others.empty() && p.quantity.truth.size() != 1)
+    section.fail("public", "there is no one number to compare with", "");
   section.reject_unknown();
   return p;
 }

@@ -44,6 +44,13 @@ struct Cell {
   std::string note;
 };
 
+/// A number that another code, or a paper, has for a problem.
+struct PublicNumber {
+  std::string code;
+  double value = 0;  ///< in the unit of the truth
+  std::string note;  ///< where it comes from, and what is different
+};
+
 struct Problem {
   std::string id, title;
   std::string asks;    ///< what a user has who meets it: "large twist"
@@ -57,6 +64,7 @@ struct Problem {
   bool free = false;       ///< nothing acts from outside: momenta are compared
   std::string beside;      ///< another problem, of which this is a harder form
   std::vector<std::pair<std::string, Cell>> cells;
+  std::vector<PublicNumber> others = {};  ///< shown as such: they are runs of other programs
 
   /// What is special of that scheme; nothing, if nothing is said.
   Cell cell(const std::string& scheme) const;

@@ -161,6 +161,20 @@ DataTable largest_steps(const Results& results, const Table& table) {
   return out;
 }
 
+DataTable public_numbers(const Table& table) {
+  DataTable out{"five-public",
+                "Numbers of papers and other codes for these problems, as such",
+                {{"problem"}, {"code"}, {"value", "SI", 4}, {"truth", "SI", 4}, {"error", "", 3}, {"note"}},
+                {}};
+  for (const auto& problem : table.problems)
+    for (const auto& other : problem.others) {
+      const double truth = problem.quantity.truth.at(0);
+      out.rows.push_back({problem.title, other.code, other.value, truth,
+                          std::abs(other.value - truth) / problem.quantity.scale, other.note});
+    }
+  return out;
+}
+
 DataTable truths(const Table& table) {
   DataTable out{"five-truths",
                 "What is compared, and where the truth comes from",

@@ -26,6 +26,9 @@ DataTable advice_table(std::string id, std::string title, const std::vector<Advi
 /// The largest stable step of every scheme. The table must have a ladder. Throws MissingResult.
 DataTable largest_steps(const Results& results, const Table& table);
 
+/// What papers and other codes have for these problems, with its distance from the truth.
+DataTable public_numbers(const Table& table);
+
 /// What is compared on each problem, and where its truth comes from.
 DataTable truths(const Table& table);
 

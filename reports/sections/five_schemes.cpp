@@ -97,6 +97,7 @@ Section write(const Results& results, bool long_run) {
               overview(table, outcomes, true),
               numbers(table, outcomes),
               energies(table, outcomes),
+              public_numbers(table),
               truths(table)};
   if (table.ladder) s.tables.push_back(largest_steps(results, table));
   s.tables_above = 4;  // what to take, and the two overviews

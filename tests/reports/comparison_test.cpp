@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/core/error.hpp"
+#include "reports/comparison/tables.hpp"
 #include "reports/named.hpp"
 #include "tests/reports/comparison_given.hpp"
 
@@ -61,6 +62,22 @@ TEST(Comparison, RefusesWhatIsWrong) {
   refused(R"(beside = "plate")", R"(beside = "dish")", "there is no problem \"dish\"");
   refused(R"(id = "bar")", R"(id = "plate")", "\"plate\" is there twice");
   refused("free = true", "fre = true", "fre");
+}
+
+/// Numbers of others are shown with their distance from the truth over the scale.
+TEST(Comparison, NumbersOfOthers) {
+  const std::string others = "[[problem.public]]\ncode = \"other\"\nvalue = 1.5\nnote = \"published\"\n";
+  std::string text = schemes + bar + others;
+  const std::string at = R"(at = ["/probes/tip/position/0", "/probes/tip/position/1"])";
+  EXPECT_THROW(read_table(schemes + plate + bar + others, "table.toml", false), plumb::InputError);
+  text.replace(text.find(at), at.size(), R"(at = ["/probes/tip/position/0"])");
+  text.replace(text.find("[1, 2]"), 6, "[1]");
+  text.replace(text.find("beside = \"plate\""), 16, "");
+  const DataTable shown = public_numbers(read_table(text, "table.toml", false));
+  ASSERT_EQ(shown.rows.size(), 1u);
+  EXPECT_EQ(std::get<std::string>(cell_of(shown, shown.rows[0], "code")), "other");
+  EXPECT_DOUBLE_EQ(std::get<double>(cell_of(shown, shown.rows[0], "value")), 1.5);
+  EXPECT_DOUBLE_EQ(std::get<double>(cell_of(shown, shown.rows[0], "error")), 0.05);
 }
 
 TEST(Comparison, DistanceFromTheTruth) {
