@@ -84,8 +84,8 @@ struct ClosedSurface::Tree {
   std::vector<std::array<Vec<3>, 3>> edge, corner;
   std::optional<BoxTree> boxes;
 
-  /// Signed distance to the nearest of them, by its pseudonormal.
-  double signed_distance(const Vec<3>& X) const {
+  /// Signed distance to the nearest of them, by its pseudonormal, and the direction away from it.
+  BesideSurface<3> beside(const Vec<3>& X) const {
     using Feature = NearestOfTriangle::Feature;
     double square = std::numeric_limits<double>::infinity();
     std::size_t nearest = 0;
@@ -101,7 +101,11 @@ struct ClosedSurface::Tree {
     const Vec<3>& normal = found.feature == Feature::face     ? face[nearest]
                            : found.feature == Feature::corner ? corner[nearest][found.number]
                                                               : edge[nearest][found.number];
-    return (X - found.at).dot(normal) < 0 ? -std::sqrt(square) : std::sqrt(square);
+    const Vec<3> apart = X - found.at;
+    const double distance = apart.dot(normal) < 0 ? -std::sqrt(square) : std::sqrt(square);
+    // from a face the direction is exact; beside it that of what may be rounding
+    const bool slanted = found.feature != Feature::face && square > 0;
+    return {distance, slanted ? Vec<3>(apart / distance) : normal.normalized()};
   }
 };
 
@@ -145,13 +149,17 @@ bool ClosedSurface::fills_its_box() const {
   return inner_->triangles.empty();
 }
 
+BesideSurface<3> ClosedSurface::beside(const Vec<3>& X) const {
+  return all_->beside(X);
+}
+
 double ClosedSurface::distance(const Vec<3>& X) const {
   // on a face of the box, and beyond it, the side is that of the material next to it
   const Vec<3> margin = 1e-12 * box_.size;
   const Vec<3> at = X.cwiseMax(box_.origin + margin).cwiseMin(box_.origin + box_.size - margin);
   const double size =
-      fills_its_box() ? std::numeric_limits<double>::infinity() : std::abs(inner_->signed_distance(X));
-  return all_->signed_distance(at) < 0 ? -size : size;
+      fills_its_box() ? std::numeric_limits<double>::infinity() : std::abs(inner_->beside(X).distance);
+  return all_->beside(at).distance < 0 ? -size : size;
 }
 
 }  // namespace plumb

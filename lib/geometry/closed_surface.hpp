@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "lib/geometry/beside_surface.hpp"
 #include "lib/geometry/cloud.hpp"
 
 namespace plumb {
@@ -45,6 +46,8 @@ class ClosedSurface {
   /// To the triangles that do not lie on faces of the box; the sign is that of the body within its box
   /// [m]. Infinite in size if there is none.
   double distance(const Vec<3>& X) const;
+  /// Signed distance to all triangles and the direction away from them.
+  BesideSurface<3> beside(const Vec<3>& X) const;
 
  private:
   struct Tree;

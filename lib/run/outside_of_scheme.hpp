@@ -60,7 +60,7 @@ template <int d, class Moving>
 void give_outside(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
   simulation.external_work = [moving] { return moving->scheme.outside().named(moving->state.outside); };
   if (!opens(moving->scheme)) return;
-  if (!moving->scheme.outside().held().empty()) give_reactions<d>(simulation, moving);
+  if (!moving->scheme.outside().no_reactions().empty()) give_reactions<d>(simulation, moving);
   if (simulation.control.rest) look_for_rest<d>(simulation, moving);
 }
 

@@ -25,6 +25,16 @@ std::vector<typename OutsideForces<d>::Place> places_of(const std::vector<Held<d
   return all;
 }
 
+/// to += factor * from, for as many components as `to` has.
+void add(double factor, const Field& from, Index count, Field& to) {
+  for (int k = 0; k < to.components(); ++k)
+    for (Index i = 0; i < count; ++i) to[k][i] += factor * from[k][i];
+}
+
+void clear(Index count, Field& field) {
+  for (int k = 0; k < field.components(); ++k) std::fill_n(field[k], count, 0.0);
+}
+
 }  // namespace
 
 template <int d>
@@ -42,6 +52,20 @@ OutsideForces<d>::OutsideForces(const Actions<d>& actions, const Cloud<d>& cloud
     mass_[static_cast<std::size_t>(slots.of(i))] = medium.density * cloud.V[static_cast<std::size_t>(i)];
   if (loaded_) loads_ = by_loads_ = Field(d, slots.count(), 0);
   if (moved_) by_others_.assign(held_.size(), 0.0);
+}
+
+template <int d>
+void OutsideForces<d>::touch(Contact<d> contact) {
+  contact_ = std::move(contact);
+  if (!contact_.empty()) by_contact_ = Field(d, count(), 0);
+}
+
+template <int d>
+double OutsideForces<d>::work_of(const Field& change, const Field& v) const {
+  double work = 0;
+  for (int k = 0; k < change.components(); ++k)
+    for (Index i = 0; i < count(); ++i) work += mass_[i] * change[k][i] * 0.5 * (before_[k][i] + v[k][i]);
+  return work;
 }
 
 template <int d>
@@ -79,9 +103,10 @@ void OutsideForces<d>::damp_half(double dt, Field& v, OutsideWork& work) const {
 template <int d>
 void OutsideForces<d>::begin_step(double dt, Field& v, OutsideWork& work) {
   damp_half(dt, v, work);
-  if (!loaded_ && !moved_) return;
+  if (!loaded_ && !moved_ && contact_.empty()) return;
   before_ = v;
-  for (int k = 0; k < by_loads_.components(); ++k) std::fill_n(by_loads_[k], count(), 0.0);
+  clear(count(), by_loads_);
+  clear(count(), by_contact_);
   std::fill(by_others_.begin(), by_others_.end(), 0.0);
 }
 
@@ -98,8 +123,8 @@ void OutsideForces<d>::add_loads(double time, const Field* F, Field& v_rate) {
 template <int d>
 void OutsideForces<d>::hold(double time, double weight, const Field& v, Field& v_rate, Field& u_rate) {
   if (weight != 0) {
-    for (int k = 0; k < loads_.components(); ++k)
-      for (Index i = 0; i < count(); ++i) by_loads_[k][i] += weight * loads_[k][i];
+    add(weight, loads_, count(), by_loads_);
+    add(weight, contact_.acceleration(), count(), by_contact_);
     for (std::size_t n = 0; n < by_others_.size(); ++n)
       by_others_[n] += weight * v_rate[held_[n].component][held_[n].slot];
   }
@@ -109,11 +134,8 @@ void OutsideForces<d>::hold(double time, double weight, const Field& v, Field& v
 template <int d>
 void OutsideForces<d>::end_step(double time, double dt, Field& u, Field& v, OutsideWork& work) {
   applied_.impose(time, u, v, false);
-  double by_loads = 0;
-  for (int k = 0; k < by_loads_.components(); ++k)
-    for (Index i = 0; i < count(); ++i)
-      by_loads += mass_[i] * by_loads_[k][i] * 0.5 * (before_[k][i] + v[k][i]);
-  work.loads += by_loads;
+  work.loads += work_of(by_loads_, v);
+  work.contact += work_of(by_contact_, v);
   double by_supports = 0;
   for (std::size_t n = 0; n < by_others_.size(); ++n) {
     const auto& [slot, component, boundary, at, moves] = held_[n];
@@ -131,6 +153,7 @@ std::vector<NamedEnergy> OutsideForces<d>::named(const OutsideWork& work) const 
   if (loaded_) works.push_back({"loads", work.loads});
   if (damps()) works.push_back({"damping", work.damping});
   if (moved_) works.push_back({"supports", work.supports});
+  if (!contact_.empty()) works.push_back({"contact", work.contact});
   return works;
 }
 
@@ -146,6 +169,8 @@ std::vector<BoundaryForce<d>> OutsideForces<d>::reactions(double time, const Ope
         open.all[place.component][place.slot] - medium_.damping * v[place.component][place.slot];
     forces[place.boundary].force[place.component] += mass_[place.slot] * (prescribed - without);
   }
+  for (std::size_t n = 0; n < contact_.walls().size(); ++n)
+    forces[boundaries_.size() + n].force = contact_.force(n);
   return forces;
 }
 
@@ -153,6 +178,7 @@ template <int d>
 std::vector<BoundaryForce<d>> OutsideForces<d>::no_reactions() const {
   std::vector<BoundaryForce<d>> forces;
   for (const Held<d>& boundary : boundaries_) forces.push_back({boundary.name, Vec<d>::Zero()});
+  for (const RigidWall<d>& wall : contact_.walls()) forces.push_back({wall.name, Vec<d>::Zero()});
   return forces;
 }
 

@@ -4,13 +4,14 @@
 #include "lib/actions/boundary_force.hpp"
 #include "lib/measures/energy.hpp"
 #include "lib/schemes/apply.hpp"
+#include "lib/schemes/contact.hpp"
 
 namespace plumb {
 
 /// What loads, damping and supports have done to a body so far, as a part of its state.
 struct OutsideWork {
-  double loads = 0, damping = 0, supports = 0;  ///< work since the start [J]
-  double rest_rate = 0;                         ///< [1/s]: damping of a relaxation; 0 without one
+  double loads = 0, damping = 0, supports = 0, contact = 0;  ///< work since the start [J]
+  double rest_rate = 0;  ///< [1/s]: damping of a relaxation; 0 without one
 
   /// Numbers of the whole body: visit(name, value).
   template <class Visit>
@@ -18,19 +19,20 @@ struct OutsideWork {
     visit("work of loads", loads);
     visit("work of damping", damping);
     visit("work of supports", supports);
+    visit("work of contact", contact);
     visit("rate of relaxation", rest_rate);
   }
 };
 
 /// Accelerations of all slots without what supports add [m/s^2].
 struct OpenAcceleration {
-  Field all;    ///< by the body's own forces and the loads
+  Field all;    ///< by the body's own forces, walls and the loads
   Field loads;  ///< by the loads alone; no components without loads
 };
 
-/// What acts on a body from outside (loads, damping, supports) in a scheme that steps velocities, with its
-/// work. A step is begin_step(), some evaluations, end_step(); an evaluation is add_loads() and hold(). Loads
-/// and supports do the work of THEORY (8.6); the damping is THEORY (6.7).
+/// What acts on a body from outside (loads, walls, damping, supports) in a scheme that steps velocities, with its
+/// work. A step is begin_step(), some evaluations, end_step(); an evaluation is add_loads(), add_contact() where there are
+/// walls, and hold(). Loads, walls and supports do the work of THEORY (8.6); the damping is THEORY (6.7).
 template <int d>
 class OutsideForces {
  public:
@@ -41,6 +43,10 @@ class OutsideForces {
     double damping = 0;  ///< rate [1/s]
   };
   OutsideForces(const Actions<d>& actions, const Cloud<d>& cloud, const Slots& slots, const Medium& medium);
+
+  /// Lets the body meet walls.
+  void touch(Contact<d> contact);
+  const Contact<d>& contact() const { return contact_; }
 
   bool needs_F() const { return applied_.needs_F(); }  ///< some load is a pressure
   bool damps() const { return medium_.damping > 0; }
@@ -54,6 +60,10 @@ class OutsideForces {
   void begin_step(double dt, Field& v, OutsideWork& work);
   /// Adds the accelerations by the loads at that time [s]. F: by slot, d x d; null where needs_F() is false.
   void add_loads(double time, const Field* F, Field& v_rate);
+  /// Adds the accelerations by the walls at the positions x [m], and drags the anchors of friction along.
+  void add_contact(double time, const std::vector<Vec<d>>& x, Field& anchors, Field& v_rate) {
+    if (!contact_.empty()) contact_.add(time, x, anchors, v_rate);
+  }
   /// Gives the rates of held components their prescribed values. `weight` [s] is the share that the velocity
   /// at the end of the step has of these rates; 0: they do not count.
   void hold(double time, double weight, const Field& v, Field& v_rate, Field& u_rate);
@@ -62,13 +72,13 @@ class OutsideForces {
   void end_step(double time, double dt, Field& u, Field& v, OutsideWork& work);
 
   const Field& loads() const { return loads_; }  ///< as add_loads() found them; no components without loads
-  /// Work of "loads", "damping" and "supports" of those that there are. [J]
+  /// Work of "loads", "damping", "supports" and "contact" of those that there are. [J]
   std::vector<NamedEnergy> named(const OutsideWork& work) const;
   /// The force of the supports of each boundary on the body [N], THEORY (5.9); of a component that two
-  /// boundaries hold it belongs to the later one.
+  /// boundaries hold it belongs to the later one. After them that of each wall, as add_contact() found it last.
   std::vector<BoundaryForce<d>> reactions(double time, const OpenAcceleration& open, const Field& v) const;
 
-  std::vector<BoundaryForce<d>> no_reactions() const;  ///< of every boundary 0
+  std::vector<BoundaryForce<d>> no_reactions() const;  ///< of every boundary and every wall 0
 
   /// One held component.
   struct Place {
@@ -85,6 +95,8 @@ class OutsideForces {
   Index count() const { return static_cast<Index>(mass_.size()); }
   /// Multiplies the velocity of what is free by 1 + change, and returns the work of that [J].
   double damp(double change, Field& v) const;
+  /// Of accelerations that have changed the velocities of this step by so much, up to v [J].
+  double work_of(const Field& change, const Field& v) const;
   void damp_half(double dt, Field& v, OutsideWork& work) const;
 
   AppliedActions<d> applied_;
@@ -92,10 +104,11 @@ class OutsideForces {
   std::vector<Place> held_;
   std::vector<double> mass_;
   Medium medium_{1};
+  Contact<d> contact_;
   bool loaded_ = false, moved_ = false;
   Field loads_;
-  // of the present step: velocity at its start, and its changes by loads and by all but the supports
-  Field before_, by_loads_;
+  // of the present step: velocity at its start, and its changes by loads, by walls and by all but the supports
+  Field before_, by_loads_, by_contact_;
   std::vector<double> by_others_;  ///< per held component [m/s]
 };
 

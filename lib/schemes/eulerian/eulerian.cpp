@@ -9,7 +9,7 @@ namespace plumb {
 
 template <int d>
 Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions,
-                      double damping)
+                      double damping, std::vector<RigidWall<d>> walls)
     : specimen_(std::move(specimen)),
       options_(std::move(options)),
       law_(specimen_.law, specimen_.elastic, true, true, std::nullopt, name),
@@ -20,6 +20,7 @@ Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actio
   const Index n = cloud.size();
   outside_ = OutsideForces<d>(actions, cloud, Slots{n, 0, 0, 1}, {law_.density, damping});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
+  if (!walls.empty()) outside_.touch({std::move(walls), cloud.X, mass_, cloud.spacing / 2});
   x_ = cloud.X;
   v_.assign(x_.size(), Vec<d>::Zero());
   half_ = sum_ = v_;
@@ -58,6 +59,7 @@ EulerianState<d> Eulerian<d>::make_state() const {
   state.place = make_field(d);
   state.before = make_field(d * d);
   state.volume = make_field(1);
+  state.anchors = make_field(outside_.contact().anchor_components());
   return state;
 }
 
@@ -69,6 +71,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
   for (std::size_t i = 0; i < motion.v.size(); ++i)
     set_vector<d>(state.v, static_cast<Index>(i), motion.v[i]);
   outside_.start(state.u, state.v);
+  outside_.contact().start(state.u, state.anchors);
   const Cloud<d>& cloud = specimen_.cloud;
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
@@ -152,7 +155,8 @@ double Eulerian<d>::young() const {
 /// The stiffness of hourglass control shortens the step from a factor of 4 on.
 template <int d>
 double Eulerian<d>::step_limit(const State&) const {
-  return options_.cfl * h_ / (wave_speed() * std::sqrt(std::max(1.0, options_.stiffness() / 4)));
+  const double own = options_.cfl * h_ / (wave_speed() * std::sqrt(std::max(1.0, options_.stiffness() / 4)));
+  return outside_.contact().empty() ? own : std::min(own, outside_.contact().step_limit());
 }
 
 template <int d>

@@ -22,9 +22,10 @@ class Eulerian {
   using Options = EulerianOptions;
   using State = EulerianState<d>;
 
-  /// `damping`: rate [1/s], THEORY (6.7). InputError where the neighbours of a particle do not span the space,
+  /// `damping`: rate [1/s], THEORY (6.7); `walls`: what the body may touch. InputError where the neighbours of a particle do not span the space,
   /// two particles are at one place, or the law has no rates.
-  Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions, double damping = 0);
+  Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions, double damping = 0,
+           std::vector<RigidWall<d>> walls = {});
 
   /// At rest in the reference where the motion has no entries. A displacement gives stress and density of the
   /// deformation that it is.
@@ -86,8 +87,8 @@ class Eulerian {
   void diffuse(const State& state);
   /// The body's own forces at x_ with the velocities v_, and the acceleration that follows.
   void find_forces(State& state);
-  /// Takes the accelerations of a state with its loads to kick_; the loads alone are outside_.loads().
-  void add_loads(const State& state);
+  /// Takes the accelerations of a state with its loads and walls to kick_; the loads alone are outside_.loads().
+  void add_outside(const State& state, Field& anchors);
   /// Moves next_.v on by half a step with the forces, loads and supports of a state.
   void kick(const State& state, double half);
   void stress_forces(State& state);

@@ -111,9 +111,12 @@ void Eulerian<d>::find_forces(State& state) {
 }
 
 template <int d>
-void Eulerian<d>::add_loads(const State& state) {
+void Eulerian<d>::add_outside(const State& state, Field& anchors) {
   kick_ = state.acceleration;
   outside_.add_loads(state.time, keeps_F() ? &state.F : nullptr, kick_);
+  if (outside_.contact().empty()) return;
+  for_particles(count(), [&](Index i) { x_[i] = specimen_.cloud.X[i] + vector_at<d>(state.u, i); });
+  outside_.add_contact(state.time, x_, anchors, kick_);
 }
 
 template <int d>
@@ -133,16 +136,17 @@ std::optional<OpenAcceleration> Eulerian<d>::open(const State& state, bool still
     next_ = state;
     find_forces(next_);
   }
-  add_loads(still ? next_ : state);
+  next_.anchors = state.anchors;
+  add_outside(still ? next_ : state, next_.anchors);
   return OpenAcceleration{kick_, outside_.loads()};
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                  \
-  template void Eulerian<d>::stress_forces(EulerianState<d>&);    \
-  template void Eulerian<d>::hourglass_forces(EulerianState<d>&); \
-  template void Eulerian<d>::viscous_forces(EulerianState<d>&);   \
-  template void Eulerian<d>::find_forces(EulerianState<d>&);      \
-  template void Eulerian<d>::add_loads(const EulerianState<d>&);  \
+#define PLUMBLINE_INSTANTIATE(d)                                           \
+  template void Eulerian<d>::stress_forces(EulerianState<d>&);             \
+  template void Eulerian<d>::hourglass_forces(EulerianState<d>&);          \
+  template void Eulerian<d>::viscous_forces(EulerianState<d>&);            \
+  template void Eulerian<d>::find_forces(EulerianState<d>&);               \
+  template void Eulerian<d>::add_outside(const EulerianState<d>&, Field&); \
   template std::optional<OpenAcceleration> Eulerian<d>::open(const EulerianState<d>&, bool);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

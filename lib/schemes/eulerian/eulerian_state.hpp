@@ -33,6 +33,7 @@ struct EulerianState {
   Field place;         ///< displacement of the reference of (30) [m]
   Field before;        ///< F of that reference, d x d: F_init of (30)
   Field volume;        ///< of that reference [m^d]
+  Field anchors;       ///< of friction at walls, in the frame of each [m]
   WorkByCause work;
   OutsideWork outside = {};
   double time = 0;  ///< [s]
@@ -56,6 +57,7 @@ struct EulerianState {
     some({"displacement of the reference", "m", Role::history}, place);
     some({"deformation gradient of the reference", "", Role::history}, before);
     some({"volume of the reference", "", Role::history}, volume);
+    some({"anchors of friction", "m", Role::history}, anchors);
   }
 
   /// Numbers of the whole body: visit(name, value).

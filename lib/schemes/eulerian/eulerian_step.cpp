@@ -89,7 +89,7 @@ void Eulerian<d>::follow_rates(const State& state, double dt) {
 
 template <int d>
 void Eulerian<d>::kick(const State& state, double half) {
-  add_loads(state);
+  add_outside(state, next_.anchors);
   outside_.hold(state.time, half, next_.v, kick_, unused_);
   for_particles(count(), [&](Index i) {
     set_vector<d>(next_.v, i, vector_at<d>(next_.v, i) + half * vector_at<d>(kick_, i));
@@ -117,6 +117,7 @@ std::optional<Trouble> Eulerian<d>::advance(State& state, double dt) {
   next_.work = state.work;
   next_.outside = state.outside;
   next_.v = state.v;
+  next_.anchors = state.anchors;
   outside_.begin_step(dt, next_.v, next_.outside);
   const Field from = next_.v;
   kick(state, half);

@@ -79,6 +79,7 @@ void Updated<d>::balance(double time, bool still) {
   conservative_forces(next_.bonds, !still && options_.dissipation != "none");
   for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });
   outside_.add_loads(time, &next_.F, acceleration_);
+  outside_.add_contact(time, x_, next_.anchors, acceleration_);
 }
 
 template <int d>
@@ -100,6 +101,7 @@ std::optional<OpenAcceleration> Updated<d>::open(const State& state, bool still)
     kept.move_to(neighbours_.list());
     stretch_bonds(state, kept, 0.5 * state.last_step);
   }
+  next_.anchors = state.anchors;
   balance(state.time, still);
   return OpenAcceleration{acceleration_, outside_.loads()};
 }

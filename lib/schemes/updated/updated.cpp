@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/point_fields.hpp"
 
 namespace plumb {
 template <int d>
-Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping)
+Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping,
+                    std::vector<RigidWall<d>> walls)
     : specimen_(std::move(specimen)),
       options_(std::move(options)),
       law_(specimen_.law, specimen_.elastic, options_.deviator == "plane-strain",
@@ -32,6 +34,7 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   const Index n = cloud.size();
   outside_ = OutsideForces<d>(actions, cloud, Slots{n, 0, 0, 1}, {law_.density, damping});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
+  if (!walls.empty()) outside_.touch({std::move(walls), cloud.X, mass_, cloud.spacing / 2});
   x_ = cloud.X;
   v_.assign(x_.size(), Vec<d>::Zero());
   force_ = v_;
@@ -65,6 +68,7 @@ UpdatedState<d> Updated<d>::make_state() const {
   state.gradient = make_field(d * d);
   state.plastic = make_field(static_cast<int>(law_.kept().size()));
   if (options_.dissipation != "none") state.heat = make_field(1);
+  state.anchors = make_field(outside_.contact().anchor_components());
   if (options_.conservative()) return state;
   state.density_rate = make_field(1);
   if (options_.has_bonds()) state.pull = make_field(d);
@@ -80,6 +84,7 @@ UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
   for (std::size_t i = 0; i < motion.v.size(); ++i)
     set_vector<d>(state.v, static_cast<Index>(i), motion.v[i]);
   outside_.start(state.u, state.v);
+  outside_.contact().start(state.u, state.anchors);
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
     store(law_.at_rest(motion.temperature_of(i)), state, i);
@@ -157,16 +162,19 @@ double Updated<d>::wave_speed() const {
 
 template <int d>
 double Updated<d>::step_limit(const State& state) const {
-  if (options_.speed != "bulk") return options_.cfl * h_ / wave_speed();
+  const double by_walls =
+      outside_.contact().empty() ? std::numeric_limits<double>::infinity() : outside_.contact().step_limit();
+  if (options_.speed != "bulk") return std::min(by_walls, options_.cfl * h_ / wave_speed());
   double square = 0;
   for (Index i = 0; i < count(); ++i) square = std::max(square, vector_at<d>(state.v, i).squaredNorm());
-  return options_.cfl * h_ / (wave_speed() + std::sqrt(square));
+  return std::min(by_walls, options_.cfl * h_ / (wave_speed() + std::sqrt(square)));
 }
 
 template <int d>
 std::optional<Trouble> Updated<d>::advance(State& state, double dt) {
   if (auto trouble = load(state)) return trouble;
   next_.v = state.v;
+  next_.anchors = state.anchors;
   next_.outside = state.outside;
   outside_.begin_step(dt, next_.v, next_.outside);
   if (outside_.damps()) for_particles(count(), [&](Index i) { v_[i] = vector_at<d>(next_.v, i); });

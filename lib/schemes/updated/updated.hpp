@@ -21,9 +21,10 @@ class Updated {
   using Options = UpdatedOptions;
   using State = UpdatedState<d>;
 
-  /// `damping`: rate [1/s], THEORY (6.7). InputError where the neighbours of a particle do not span the space, two particles are at one place, or
+  /// `damping`: rate [1/s], THEORY (6.7); `walls`: what the body may touch, conservative balance only. InputError where the neighbours of a particle do not span the space, two particles are at one place, or
   /// the law does not go with the options.
-  Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping = 0);
+  Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping = 0,
+          std::vector<RigidWall<d>> walls = {});
 
   /// At rest in the reference where the motion has no entries. A displacement gives stress and density of the
   /// deformation that it is.
@@ -85,7 +86,7 @@ class Updated {
   /// Stretches `before`, which belongs to the list of now, into the room of the next state.
   void stretch_bonds(const State& state, const PairHistory& before, double tau);
   void conservative_forces(const PairHistory& bonds, bool dissipates);
-  /// Accelerations at x_ by stress, density and pairs of the next state, and by the loads of that time; without
+  /// Accelerations at x_ by stress, density and pairs of the next state, and by loads and walls of that time; without
   /// dissipation if it is `still`.
   void balance(double time, bool still);
   double bond_energy(const State& state);

@@ -23,6 +23,7 @@ struct UpdatedState {
   Field pull;            ///< force between pairs that is summed up in time [N]; printed
   Field frozen;          ///< positions and volume of the last advection step; printed, geometry = advection
   PairHistory bonds;     ///< stretch of each pair that is not in the velocity gradient [m]; conservative
+  Field anchors;         ///< of friction at walls, in the frame of each [m]
   double last_step = 0;  ///< [s]; 0: there was none
   double age = 0, life = 0;  ///< of the frozen geometry, so far and in all [s]
   OutsideWork outside = {};
@@ -45,6 +46,7 @@ struct UpdatedState {
     some({"density rate", "kg/(m^3 s)", Role::history}, density_rate);
     some({"force of pairs", "N", Role::history}, pull);
     some({"frozen geometry", "m", Role::history}, frozen);
+    some({"anchors of friction", "m", Role::history}, anchors);
   }
 
   /// What is kept of pairs: visit(name, history).

@@ -1,4 +1,4 @@
-// Bodies of the scheme of paper 001 that spin, break or fail.
+// Bodies of the scheme of paper 001 that spin, break, fail or meet a wall.
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -81,6 +81,35 @@ TEST(EulerianBodies, AFailedParticleIsNotGluedToItsNeighbours) {
     if (more.name == "damage") {
       EXPECT_EQ(more.values[k], 1);
     }
+}
+
+/// Kinetic energy, and all works, of a plate that falls aslant on a rough floor: equal to round-off at every step.
+TEST(EulerianBodies, OnAWallTheWorksAddUpToTheKineticEnergy) {
+  const Cloud<2> cloud = cells<2>({8, 6}, 0.1);
+  RigidWall<2> wall;
+  wall.beside = half_space<2>(Vec<2>(0, -0.31), Vec<2>(0, 1));
+  wall.modulus = 2e6;
+  wall.friction = 0.2;
+  wall.reach = 0.05;
+  wall.displacement = [](double t) { return Vec<2>(0, 0.3 * t); };
+  for (const char* force : {"adjoint", "printed"}) {
+    EulerianOptions o;
+    o.force = force;
+    Eulerian<2> body({cloud, LawChoice("linear-elastic"), {2e6, 0.3, 1000}}, o, {}, 5, {wall});
+    auto state = body.start(moving<2>(cloud, [](const Vec<2>& X) { return Vec<2>(1, -2 + X[0]); }));
+    const double before = body.energy(state).kinetic;
+    double most = 0;
+    for (int step = 0; step < 120; ++step) {
+      ASSERT_FALSE(body.advance(state, 5e-4));
+      double outside = 0;
+      for (const auto& [by, done] : body.outside().named(state.outside)) outside += done;
+      const double now = body.energy(state).kinetic, scale = before + now + std::abs(state.work.force);
+      ASSERT_NEAR((now - before - state.work.of_forces() - outside) / scale, 0, 1e-13) << step;
+      most = std::max(most, std::abs(state.outside.contact));
+    }
+    EXPECT_EQ(body.outside().named(state.outside).size(), 2u);
+    EXPECT_GT(most, 0.2 * before);
+  }
 }
 
 TEST(EulerianBodies, SameBitsForOneAndTwoThreads) {
