@@ -53,7 +53,7 @@ double tip_of(const Json& result) {
 }
 
 double cost_of(const Json& result) {
-  return number(result, "cpu_s") + number(result, "setup_s");
+  return number(result.at("timing"), "cpu_s") + number(result.at("timing"), "setup_s");
 }
 
 DataTable runs_table(const Results& results, const std::vector<std::string>& sizes) {
@@ -69,8 +69,8 @@ DataTable runs_table(const Results& results, const std::vector<std::string>& siz
   for (const Way& way : ways())
     for (const auto& spacing : sizes) {
       const Json result = results.json(id_of(way, spacing));
-      table.rows.push_back({way.name, number(result, "particles"), number(result, "setup_s"),
-                            number(result, "cpu_s"), 1e-6 * number(result.at("memory"), "peak_rss"),
+      table.rows.push_back({way.name, number(result, "particles"), number(result.at("timing"), "setup_s"),
+                            number(result.at("timing"), "cpu_s"), 1e-6 * number(result.at("memory"), "peak_rss"),
                             tip_of(result)});
       table.row_jobs.push_back(id_of(way, spacing));
     }

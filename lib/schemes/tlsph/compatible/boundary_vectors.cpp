@@ -231,13 +231,13 @@ BoundaryVectors<d> boundary_vectors(const Cloud<d>& cloud, const RadialKernel<d>
     std::vector<Eigen::VectorXd> middles;
     for (const Facet<d>& facet : surface.facets)
       middles.push_back(monomials<d>((facet.centroid - surface.centroid) / size));
-    if (result.defect > met) correct_sides<d>(m, middles, missing, *sides);
-    const auto B = vectors_of(cloud.size(), *sides);
-    result.remainder = largest(missing(B));
-    if (result.remainder <= met) {
-      if (result.defect > met) result.B = B;
-      result.sides = std::move(*sides);
-      return result;
+    if (result.defect > met) {
+      correct_sides<d>(m, middles, missing, *sides);
+      const auto B = vectors_of(cloud.size(), *sides);
+      result.remainder = largest(missing(B));
+      if (result.remainder <= met) return {B, result.defect, result.remainder, std::move(*sides)};
+    } else {
+      result.sides = std::move(*sides);  // what the next lines take off is round-off
     }
   }
   result.remainder = largest(add_missing<d>(m, weight, scale, result.B));
