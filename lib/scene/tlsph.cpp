@@ -18,7 +18,7 @@
 #include "lib/schemes/tlsph/loops/make_solid.hpp"
 #include "lib/schemes/tlsph/loops/part_site.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
-#include "lib/schemes/tlsph/time/commit_history.hpp"
+#include "lib/schemes/tlsph/time/with_history.hpp"
 
 namespace plumb {
 namespace {

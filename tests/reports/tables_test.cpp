@@ -32,6 +32,7 @@ const std::multimap<std::string, std::string> headings{
     {"relative error", "error"},
     {"set-up", "setup_s"},
     {"solution", "solve_s"},
+    {"peak memory", "peak_rss"},
     {"spread", "cpu_spread_s"},
     {"CPU time", "cpu_s"},
     {"CPU time", "ns_per_particle"},
@@ -85,12 +86,15 @@ const std::set<std::pair<std::string, std::string>> computed{
     {"flag", "ours"},  // of the last swing; swing_test has those
     {"flag", "published"},
     {"flag", "off by"},
+    {"scaling-runs", "tip"},  // the checks of the section hold it
+    {"scaling-growth", "power"},
 };
 
 /// What a number of a result is multiplied by to be shown in this unit.
 double scale_of(const std::string& unit) {
   if (unit == "%") return 100;
   if (unit == "µs") return 1e6;
+  if (unit == "MB") return 1e-6;
   return unit.starts_with("10⁶") ? 1e-6 : 1;
 }
 

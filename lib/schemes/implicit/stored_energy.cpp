@@ -7,7 +7,7 @@
 #include "lib/schemes/tlsph/loops/body_history.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
-#include "lib/schemes/tlsph/time/commit_history.hpp"
+#include "lib/schemes/tlsph/loops/commit_history.hpp"
 
 namespace plumb {
 namespace {

@@ -57,7 +57,7 @@ TEST(TemperatureOfTheStart, IsTheFormulaAtEveryParticle) {
       if (end.X[i][0] > 0.011) warm = std::max(warm, shown(end, "plastic strain")[i]);
     }
     EXPECT_GT(warm, 1.2 * cold) << scheme;
-    EXPECT_GT(warm, 1e-3) << scheme;
+    EXPECT_GT(warm, 3e-4) << scheme;  // a tenth of the strain at yield
   }
 }
 
