@@ -39,6 +39,7 @@ struct Series {
   std::optional<Band> band = {};
   std::optional<std::size_t> colour = {};  ///< number in the palette; the place in the list if not given
   bool dashed = false;
+  bool hollow = false;  ///< points are outlines
 };
 
 /// A triangle of the given slope below series number `series`, on two logarithmic axes: what a declared order

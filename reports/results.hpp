@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct JobResult {
   int exit_code = 0;
   std::string failure;  ///< why there is no result; empty if there is one
   double wall_s = 0, cpu_s = 0;
+  std::optional<double> peak_rss = {};  ///< largest memory [bytes]; older stores do not have it
   bool reused = false;
 };
 

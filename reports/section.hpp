@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -89,6 +90,7 @@ struct Section {
   std::vector<DataTable> tables = {};
   std::vector<std::string> notes = {};
   std::vector<Headline> headlines = {};
+  std::size_t tables_above = 0;  ///< so many of the tables stand above the pictures, the others below
 };
 
 /// One call of `plumb` whose JSON a section needs. The call is made once and kept by content hash.

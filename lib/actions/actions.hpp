@@ -36,12 +36,16 @@ struct Held {
   bool steady = true;
 };
 
-/// Names a piece of the surface that belongs to one particle.
+/// Names a piece of the surface of which one particle has a part.
 template <int d>
 struct LoadedPlace {
   Index particle;
-  Vec<d> at;    ///< reference point that the load is asked at [m]
-  Vec<d> area;  ///< outward normal times area in the reference [m^(d-1)]
+  Vec<d> at;         ///< reference point that the load is asked at [m]
+  Vec<d> area;       ///< outward normal times area in the reference [m^(d-1)]
+  double share = 1;  ///< of the piece that the particle carries; negative where others carry more than all
+
+  double size() const { return share * area.norm(); }  ///< [m^(d-1)]
+  Vec<d> normal() const { return area / area.norm(); }
 };
 
 /// Loads particles through pieces of the surface: by a traction, which keeps its direction, or by a pressure,

@@ -57,7 +57,7 @@ install(FILES ${PROJECT_BINARY_DIR}/plumblineConfig.cmake ${PROJECT_BINARY_DIR}/
 if(TARGET plumb)
   install(TARGETS plumb COMPONENT program)
   # laid out as in the source tree, so that the examples of the help work in share/plumbline
-  foreach(part scenes material studies stability claims faults bad_inputs.toml)
+  foreach(part scenes comparison material studies stability claims faults bad_inputs.toml)
     if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part})
       install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part} DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
               COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.json" PATTERN "*.csv")

@@ -20,7 +20,8 @@ struct Response {
 /// visit(name, unit, value) for each of its values, a double or a Mat<3>.
 /// stress() moves the history from the end of the last increment to the end of
 /// this one; whoever integrates in stages gives it a copy and keeps that of the
-/// last stage. tangent() is dP/dF of the increment that starts from `before`. F
+/// last stage. potential() is what an increment that starts from `before` stores and dissipates: its derivative by F is P, and
+/// tangent() is dP/dF. F
 /// must have a positive determinant.
 template <class M>
 concept HistoryLaw = requires(const M& law, const Mat<3>& F, typename M::History& history,
@@ -28,6 +29,7 @@ concept HistoryLaw = requires(const M& law, const Mat<3>& F, typename M::History
   { M::name } -> std::convertible_to<std::string_view>;
   { law.stress(F, history) } -> std::same_as<Response>;
   { law.energy(F, before) } -> std::convertible_to<double>;
+  { law.potential(F, before) } -> std::convertible_to<double>;
   { law.tangent(F, before) } -> std::convertible_to<Mat<9>>;
   history.fields([](std::string_view, std::string_view, auto&) {});
 };

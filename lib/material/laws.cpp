@@ -20,6 +20,16 @@ std::vector<std::string> law_names() {
   return names;
 }
 
+bool has_temperature(std::string_view name) {
+  bool found = false;
+  with_named(RateModels{}, name, [&]<class M>(Type<M>) {
+    found = requires(typename M::History & history) {
+      history.temperature;
+    };
+  });
+  return found;
+}
+
 bool needs_rates(std::string_view name) {
   return with_named(RateModels{}, name, [](auto) {});
 }

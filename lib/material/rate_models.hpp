@@ -15,5 +15,7 @@ using RateModels = TypeList<JohnsonCook>;
 std::vector<std::string> law_names();
 /// True if only schemes that integrate stress by rates have that law.
 bool needs_rates(std::string_view name);
+/// True if particles of that law have a temperature.
+bool has_temperature(std::string_view name);
 
 }  // namespace plumb

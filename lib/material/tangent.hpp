@@ -20,4 +20,13 @@ Mat<d * d> tangent_of(const M& material, const Mat<d>& F) {
   return tangent;
 }
 
+/// The rows and columns of a tangent in three dimensions that d dimensions have.
+template <int d>
+Mat<d * d> part_in(const Mat<9>& whole) {
+  Mat<d * d> part;
+  for (int m = 0; m < d * d; ++m)
+    for (int n = 0; n < d * d; ++n) part(m, n) = whole(m / d * 3 + m % d, n / d * 3 + n % d);
+  return part;
+}
+
 }  // namespace plumb

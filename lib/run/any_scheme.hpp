@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -81,6 +82,35 @@ void restore_more(State& state, Index particles, const std::vector<SavedField>& 
         throw InputError(fmt::format("the checkpoint does not fit: \"{}\"", name), "it is missing",
                          "start the run anew, without --resume");
       value = from->values[0];
+    });
+}
+
+/// Adds what a scheme keeps at places that are no particles, as fields of one record each.
+template <class M>
+void save_points(M& scheme, std::vector<SavedField>& saved) {
+  if constexpr (requires { scheme.fields_at_points([](const FieldInfo&, Field&, Index) {}); })
+    scheme.fields_at_points([&](const FieldInfo& info, const Field& field, Index places) {
+      SavedField out{std::string(info.name), static_cast<int>(field.components() * places), {}};
+      for (int k = 0; k < field.components(); ++k)
+        out.values.insert(out.values.end(), field[k], field[k] + places);
+      saved.push_back(std::move(out));
+    });
+}
+
+/// InputError if a field is missing or has another size.
+template <class M>
+void restore_points(M& scheme, const std::vector<SavedField>& saved) {
+  if constexpr (requires { scheme.fields_at_points([](const FieldInfo&, Field&, Index) {}); })
+    scheme.fields_at_points([&](const FieldInfo& info, Field& field, Index places) {
+      const SavedField* from = field_named(saved, info.name);
+      const auto size = static_cast<std::size_t>(field.components() * places);
+      if (!from || from->values.size() != size)
+        throw InputError(fmt::format("the checkpoint does not fit: field \"{}\"", info.name),
+                         from ? fmt::format("it has {} numbers, the scene {}", from->values.size(), size)
+                              : std::string("it is missing"),
+                         "start the run anew, without --resume");
+      for (int k = 0; k < field.components(); ++k)
+        std::copy_n(from->values.data() + k * places, places, field[k]);
     });
 }
 
@@ -193,6 +223,10 @@ requires Scheme<M, d> Simulation<d> as_simulation(const std::shared_ptr<Moving<M
     moving->state.fields([&](const FieldInfo& info, const Field& field) {
       arrays.push_back({std::string(info.name), field.bytes()});
     });
+    if constexpr (requires { moving->scheme.fields_at_points([](const FieldInfo&, Field&, Index) {}); })
+      moving->scheme.fields_at_points([&](const FieldInfo& info, const Field& field, Index) {
+        arrays.push_back({std::string(info.name), field.bytes()});
+      });
     if constexpr (requires { moving->state.pair_fields([](std::string_view, PairHistory&) {}); })
       moving->state.pair_fields([&](std::string_view name, PairHistory& pairs) {
         arrays.push_back({std::string(name), pairs.bytes()});
@@ -204,11 +238,13 @@ requires Scheme<M, d> Simulation<d> as_simulation(const std::shared_ptr<Moving<M
                      counts_of(*moving).work,
                      saved_fields(moving->state, moving->places)};
     save_more(moving->state, saved.fields);
+    save_points(moving->scheme, saved.fields);
     return saved;
   };
   simulation.restore = [moving](const SavedState& saved) {
     restore_fields(moving->state, moving->places, saved.fields);
     restore_more(moving->state, static_cast<Index>(moving->places.size()), saved.fields);
+    restore_points(moving->scheme, saved.fields);
     moving->state.time = saved.now.time;
     moving->state.step = saved.now.step;
   };

@@ -83,16 +83,36 @@ Vec<d> middle_of(const Facet<d>& facet, const Cloud<d>& cloud) {
   return middle;
 }
 
+/// The pieces of the surface, and the flat sides that they make, if it is known who shares those.
 template <int d>
-SurfaceLoad<d> surface_load_of(const Cloud<d>& cloud, const Boundary& boundary,
-                               const std::vector<Facet<d>>& facets) {
+struct Pieces {
+  std::vector<Facet<d>> facets;
+  std::vector<FlatSide<d>> sides;
+};
+
+/// Loads every particle that shares a side at the point of the side next to it.
+template <int d, class On>
+void load_sides(const Cloud<d>& cloud, const Pieces<d>& pieces, On&& on, SurfaceLoad<d>& load) {
+  for (const FlatSide<d>& side : pieces.sides)
+    for (const AreaShare& part : side.areas([&](Index f) { return on(pieces.facets[f]); })) {
+      const Vec<d>& X = cloud.X[part.particle];
+      const Vec<d> at = X + side.normal.dot(side.point - X) * side.normal;
+      load.places.push_back({part.particle, at, side.normal, part.share});
+    }
+}
+
+template <int d>
+SurfaceLoad<d> surface_load_of(const Cloud<d>& cloud, const Boundary& boundary, const Pieces<d>& pieces) {
   SurfaceLoad<d> load;
   load.name = name_of(boundary);
-  for (const Facet<d>& facet : facets) {
-    const bool on = boundary.face ? lies_on(facet, *boundary.face, cloud)
-                                  : boundary.where->holds_at(coordinates_of(middle_of(facet, cloud)));
-    if (on) load.places.push_back({facet.owner, middle_of(facet, cloud), facet.area});
-  }
+  const auto on = [&](const Facet<d>& facet) {
+    return boundary.face ? lies_on(facet, *boundary.face, cloud)
+                         : boundary.where->holds_at(coordinates_of(middle_of(facet, cloud)));
+  };
+  load_sides(cloud, pieces, on, load);
+  if (pieces.sides.empty())
+    for (const Facet<d>& facet : pieces.facets)
+      if (on(facet)) load.places.push_back({facet.owner, middle_of(facet, cloud), facet.area});
   if (load.places.empty()) {
     if (!boundary.face) throw holds_nowhere(boundary, "piece of the surface");
     throw InputError("no piece of the surface lies on a face that a boundary names",
@@ -132,12 +152,13 @@ void add_body_force(const std::string& name, const std::vector<Expression>& form
 
 template <int d>
 Actions<d> actions_of_scene(const Cloud<d>& cloud, const Scene& scene,
-                            const std::function<std::vector<Facet<d>>()>& facets, double time_scale) {
+                            const std::function<std::vector<Facet<d>>()>& facets, double time_scale,
+                            const std::function<std::vector<FlatSide<d>>()>& sides) {
   Actions<d> actions;
-  std::optional<std::vector<Facet<d>>> surface;
+  std::optional<Pieces<d>> surface;
   for (const Boundary& boundary : scene.boundaries) {
     if (is_load(boundary.kind)) {
-      if (!surface) surface = facets();
+      if (!surface) surface = Pieces<d>{facets(), sides ? sides() : std::vector<FlatSide<d>>()};
       actions.surface.push_back(surface_load_of<d>(cloud, boundary, *surface));
       continue;
     }
@@ -183,9 +204,10 @@ void refuse_contradictions(const Cloud<d>& cloud, const Actions<d>& actions, dou
   }
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                  \
-  template Actions<d> actions_of_scene<d>(const Cloud<d>&, const Scene&,                          \
-                                          const std::function<std::vector<Facet<d>>()>&, double); \
+#define PLUMBLINE_INSTANTIATE(d)                                                                 \
+  template Actions<d> actions_of_scene<d>(const Cloud<d>&, const Scene&,                         \
+                                          const std::function<std::vector<Facet<d>>()>&, double, \
+                                          const std::function<std::vector<FlatSide<d>>()>&);     \
   template void refuse_contradictions<d>(const Cloud<d>&, const Actions<d>&, double);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

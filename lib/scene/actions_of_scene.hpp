@@ -7,6 +7,7 @@
 #include "lib/geometry/cloud.hpp"
 #include "lib/geometry/facets.hpp"
 #include "lib/scene/scene.hpp"
+#include "lib/schemes/tlsph/compatible/flat_sides.hpp"
 
 namespace plumb {
 
@@ -31,11 +32,13 @@ inline double time_scale_of(const Scene& scene) {
 }
 
 /// Makes what [load] and the [[boundary]] tables of a scene do to its particles. `facets` is asked for the
-/// pieces of the surface if a boundary loads them. `time_scale` [s]: formulas change little in a thousandth
+/// pieces of the surface if a boundary loads them, `sides` for the flat sides that they make, where a compatible table knows who
+/// shares them; otherwise a piece loads its owner. `time_scale` [s]: formulas change little in a thousandth
 /// of it. Throws InputError where a boundary meets no particle or no surface.
 template <int d>
 Actions<d> actions_of_scene(const Cloud<d>& cloud, const Scene& scene,
-                            const std::function<std::vector<Facet<d>>()>& facets, double time_scale);
+                            const std::function<std::vector<Facet<d>>()>& facets, double time_scale,
+                            const std::function<std::vector<FlatSide<d>>()>& sides = {});
 
 /// Refuses two boundaries that hold one component on different paths; they may meet in a particle if they say
 /// the same of each component. Throws InputError.

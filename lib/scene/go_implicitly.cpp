@@ -131,7 +131,8 @@ void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene&
   const double tolerance = scene.method.implicit.tolerance;
   if (scene.method.implicit.midpoint)
     go_in_time<Midpoint<d>>(simulation, way, [way, tolerance](const BodyMotion& from) {
-      return std::make_unique<Midpoint<d>>(way->body.energy(), way->body.actions(), tolerance, from);
+      return std::make_unique<Midpoint<d>>(way->body.energy(), way->body.actions(), tolerance, from,
+                                           way->options.solver);
     });
   else if (scene.method.implicit.energy_momentum)
     go_in_time<EnergyMomentum<d>>(

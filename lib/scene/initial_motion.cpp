@@ -1,5 +1,11 @@
 #include "lib/scene/initial_motion.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lib/core/error.hpp"
+#include "lib/geometry/position_text.hpp"
 #include "lib/scene/actions_of_scene.hpp"
 
 namespace plumb {
@@ -30,6 +36,14 @@ InitialMotion<d> initial_motion(const Scene& scene, const Cloud<d>& cloud) {
   if (!scene.initial) return start;
   if (!scene.initial->displacement.empty())
     for (const auto& X : cloud.X) start.u.push_back(evaluate_at<d>(scene.initial->displacement, X));
+  if (scene.initial->temperature)
+    for (const auto& X : cloud.X) {
+      const double T = scene.initial->temperature->at(coordinates_of(X), 0);
+      if (!(T >= 0 && std::isfinite(T)))
+        throw InputError(fmt::format("[initial] temperature is {:g} K at {}", T, position_text<d>(X)),
+                         "an absolute temperature is not negative", "mend the formula");
+      start.temperature.push_back(T);
+    }
   if (scene.initial->velocity.empty() && !scene.initial->spin) return start;
   const Vec<d> centre = centre_of_mass(cloud, scene.body);
   for (const auto& X : cloud.X) {

@@ -69,12 +69,12 @@ void refuse_history(const Section& root, const MaterialChoice& material, const M
     root.section("material")
         .fail("model", fmt::format("\"{}\" contradicts scheme = \"{}\"", material.model, method.scheme),
               "its stress follows rates", "use scheme = \"eulerian\" or \"updated\"");
-  if (!has_history(material.model) || (method.scheme != "implicit" && method.scheme != "element")) return;
+  if (!has_history(material.model) || !method.implicit.energy_momentum) return;
   root.section("material")
-      .fail("model", fmt::format("a body of \"{}\"", material.model),
-            fmt::format("its history is not carried through time steps by scheme = \"{}\"", method.scheme),
-            "use scheme = \"tlsph\", \"mixed\" or \"updated\", which do, or an "
-            "elastic law; `plumb material` drives it at one point");
+      .fail("model",
+            fmt::format("\"{}\" contradicts [implicit] dynamics = \"energy-momentum\"", material.model),
+            "its stress depends on what was before, so that no stored energy has it as its derivative",
+            "use dynamics = \"midpoint\", or an elastic law");
 }
 
 }  // namespace plumb

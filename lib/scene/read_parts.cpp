@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/material/johnson_cook.hpp"
 #include "lib/run/output_fields.hpp"
 #include "lib/scene/names.hpp"
 #include "lib/scene/readers.hpp"
@@ -127,13 +128,15 @@ std::optional<Initial> read_initial(const Section& root, int dimension) {
   if (displaced) initial.displacement = section->formulas("displacement", dimension, quantity::length);
   if (formulas) initial.velocity = section->formulas("velocity", dimension, quantity::velocity);
   if (spins) initial.spin = read_spin(*section, dimension);
+  const bool warm = section->has("temperature");
+  if (warm) initial.temperature = section->formula("temperature", dimension, JohnsonCook::kelvin);
   if (formulas && spins)
     section->fail("spin", "contradicts velocity", "the initial velocity is given by one of them",
                   "add the spin to the formulas");
   section->reject_unknown();
-  if (!formulas && !spins && !displaced)
-    section->fail("", "missing key velocity, spin or displacement", "the section is there but sets nothing",
-                  "leave out [initial] for a body at rest");
+  if (!formulas && !spins && !displaced && !warm)
+    section->fail("", "missing key velocity, spin, displacement or temperature",
+                  "the section is there but sets nothing", "leave out [initial] for a body at rest");
   return initial;
 }
 

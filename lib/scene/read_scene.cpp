@@ -1,4 +1,5 @@
 #include "lib/scene/read_scene.hpp"
+#include "lib/material/rate_models.hpp"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,30 @@ void refuse_budget_of_another(const Section& root, const Scene& scene) {
   if (scene.output && scene.output->budget && has_history(scene.material.model))
     root.section("output").fail("budget", fmt::format("contradicts model = \"{}\"", scene.material.model),
                                 "it would take plastic work for that of the integrator", "leave it out");
+}
+
+/// A temperature of a law that has none, or two of one that has it.
+void refuse_temperature(const Section& root, const Scene& scene) {
+  if (!scene.initial || !scene.initial->temperature) return;
+  const Section section = root.section("initial");
+  if (!has_temperature(scene.material.model))
+    section.fail("temperature", fmt::format("contradicts model = \"{}\"", scene.material.model),
+                 "its stress does not depend on a temperature",
+                 "leave it out, or use model = \"johnson-cook\"");
+  if (scene.material.parameters.contains("temperature"))
+    section.fail("temperature", "contradicts temperature of [material]", "both say what the body starts with",
+                 "leave out one of them");
+}
+
+/// Conjugate gradients need a symmetric tangent.
+void refuse_following_pressure(const Section& root, const Scene& scene) {
+  if (scene.method.implicit.solver != LinearSolver::iterative) return;
+  for (const Boundary& boundary : scene.boundaries)
+    if (boundary.kind == BoundaryKind::pressure)
+      root.section("implicit")
+          .fail("solver", "\"iterative\" beside a pressure that follows",
+                "its tangent is not symmetric, and conjugate gradients need that",
+                "use solver = \"direct\", or a traction in place of the pressure");
 }
 
 /// What has no rest, or none that a run in time finds.
@@ -102,8 +127,10 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   refuse_on_a_line(root, scene.dimension, scene.method);
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);
+  refuse_temperature(root, scene);
   scene.boundaries = read_boundaries(root, scene.dimension);
   scene.contacts = read_contacts(root, scene.dimension);
+  refuse_following_pressure(root, scene);
   scene.relaxation = read_relaxation(root);
   scene.output = read_output(root, scene.body);
   if (scene.relaxation) refuse_restless(root, scene);

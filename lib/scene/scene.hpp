@@ -134,6 +134,7 @@ struct Initial {
   std::vector<Expression> velocity;      ///< [m/s] in X, Y, Z; as many as the dimension, or empty
   std::optional<std::array<double, 3>>
       spin;  ///< angular velocity [rad/s] about the centre of mass; 2D: (0, 0, w), 1D: none
+  std::optional<Expression> temperature;  ///< [K] in X, Y, Z, for a law that has one
 };
 
 /// One face of the box: axis 0, 1, 2 and side -1 or +1 ("z-" is {2, -1}).

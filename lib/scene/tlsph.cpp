@@ -137,6 +137,11 @@ TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surfac
                     "volume {:.6g} m^{}",
                     surface->volume, d));
   }
+  std::vector<FlatSide<d>> sides;
+  const bool loaded = std::any_of(scene.boundaries.begin(), scene.boundaries.end(),
+                                  [](const Boundary& boundary) { return is_load(boundary.kind); });
+  if (surface && loaded)
+    sides = boundary_vectors<d>(cloud, options.kernel, options.smoothing_length, *surface).sides;
   if (scene.method.gradient == "compatible")
     simulation.compatible = make_it_compatible<d>(options, scene, cloud, surface);
   if (scene.method.momentum == "variational") make_force_consistent(options, cloud, *surface);
@@ -149,7 +154,8 @@ TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surfac
     return surface ? surface->facets : surface_of<d>(scene.body, simulation.solid.cloud).facets;
   };
   const double time_scale = time_scale_of(scene);
-  simulation.actions = actions_of_scene<d>(simulation.solid.cloud, scene, facets, time_scale);
+  simulation.actions = actions_of_scene<d>(simulation.solid.cloud, scene, facets, time_scale,
+                                           [&] { return std::move(sides); });
   simulation.supports = supports_of(simulation.actions);
   set_initial_state(simulation.solid, scene, simulation.state);
   impose(simulation.solid, simulation.actions, simulation.state);

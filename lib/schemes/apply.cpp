@@ -9,9 +9,8 @@ AppliedActions<d>::AppliedActions(const Actions<d>& actions, const Cloud<d>& clo
     : actions_(actions), count_(slots.count()) {
   for (std::size_t n = 0; n < actions.surface.size(); ++n)
     for (const LoadedPlace<d>& place : actions.surface[n].places) {
-      const double area = place.area.norm();
-      surface_.push_back({slots.of(place.particle), n, place.at, place.area / area,
-                          area / cloud.V[static_cast<std::size_t>(place.particle)]});
+      surface_.push_back({slots.of(place.particle), n, place.at, place.normal(),
+                          place.size() / cloud.V[static_cast<std::size_t>(place.particle)]});
       follows_ = follows_ || static_cast<bool>(actions.surface[n].pressure);
     }
   for (std::size_t n = 0; n < actions.held.size(); ++n)

@@ -106,9 +106,10 @@ class RateLaw {
     double damage = 0;       ///< likewise; 1: failed
     int iterations = 0;      ///< of the last return
   };
-  Point at_rest() const {
+  /// A point without stress; with the law's own temperature if none is given [K].
+  Point at_rest(std::optional<double> temperature = std::nullopt) const {
     Point point{Mat<d>::Zero()};
-    if (cook_) point.temperature = cook_->temperature_at_start();
+    if (cook_) point.temperature = temperature.value_or(cook_->temperature_at_start());
     return point;
   }
   bool failed(double damage) const { return cook_ && cook_->damages() && damage >= 1; }

@@ -28,6 +28,12 @@ struct Specimen {
 template <int d>
 struct InitialMotion {
   std::vector<Vec<d>> u, v;
+  std::vector<double> temperature = {};  ///< [K]; without entries the law's own
+
+  std::optional<double> temperature_of(Index i) const {
+    if (temperature.empty()) return std::nullopt;
+    return temperature[static_cast<std::size_t>(i)];
+  }
 };
 
 /// How many neighbours the particles of a scheme have now.

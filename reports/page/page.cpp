@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "lib/output/progress.hpp"
@@ -72,13 +73,15 @@ std::string section(const PageSection& s) {
   std::string out = fmt::format(
       "<section id=\"{}\"><h2>{}</h2><p class=\"q\">{}</p><p class=\"a\">{} {}</p>\n", escaped(s.id),
       escaped(s.title), text(content.question), text(content.answer), tags(count_verdicts({s})));
+  const std::size_t above = std::min(content.tables_above, content.tables.size());
+  for (std::size_t k = 0; k < above; ++k) out += table(content.tables[k], s);
   if (!content.figures.empty()) {
     out += "<div class=\"figs\">";
     for (const auto& f : content.figures) out += figure(f, s);
     out += "</div>\n";
   }
   out += checks(s);
-  for (const auto& t : content.tables) out += table(t, s);
+  for (std::size_t k = above; k < content.tables.size(); ++k) out += table(content.tables[k], s);
   for (const auto& note : content.notes) out += "<p class=\"note\">" + text(note) + "</p>\n";
   return out + reproduce(s) + "</section>\n";
 }

@@ -129,7 +129,8 @@ std::string series_commands(const Prepared& p, std::vector<std::string>& plots) 
     const bool by_dash = series.style == Style::lines && p.picture.labels == Labels::legend;
     const std::string dash = series.dashed ? dashes[1] : by_dash ? dashes[s % 4] : dashes[0];
     const std::string line = fmt::format("lw 1.8 dt {}", dash);
-    const std::string points = fmt::format("pt {} ps 0.55", point_shapes[colour_of(p.picture, s) % 8]);
+    const std::string points =
+        fmt::format("pt {} ps 0.55", point_shapes[colour_of(p.picture, s) % 8] - (series.hollow ? 1 : 0));
     const std::string look = series.style == Style::lines    ? "lines " + line
                              : series.style == Style::points ? "points " + points
                                                              : fmt::format("linespoints {} {}", line, points);

@@ -92,6 +92,7 @@ JobResult Store::get(const Job& job) const {
   result.wall_s = cost.at("wall_s");
   result.cpu_s = cost.at("cpu_s");
   result.exit_code = cost.at("exit_code");
+  if (cost.contains("peak_rss")) result.peak_rss = cost.at("peak_rss").get<double>();
   result.reused = true;
   return result;
 }
@@ -117,6 +118,7 @@ JobResult Store::compute(const Job& job, JobResult result) const {
   result.exit_code = ended.exit_code;
   result.wall_s = ended.wall_s;
   result.cpu_s = ended.cpu_s;
+  result.peak_rss = ended.peak_rss;
   const fs::path made = work / "result.json";
   if (ended.exit_code > 1 || !fs::exists(made) || !is_whole(made)) {
     result.failure = fmt::format("exit code {}: {}", ended.exit_code, last_words(work / "messages.txt"));
@@ -126,7 +128,8 @@ JobResult Store::compute(const Job& job, JobResult result) const {
   replace_file(work / "cost.json", json_text({{"command", result.command},
                                               {"exit_code", ended.exit_code},
                                               {"wall_s", ended.wall_s},
-                                              {"cpu_s", ended.cpu_s}}));
+                                              {"cpu_s", ended.cpu_s},
+                                              {"peak_rss", ended.peak_rss}}));
   if (has_result(result.folder)) {  // that of the other one, whole and perhaps being read
     fs::remove_all(work);
     return result;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/named.hpp"
+#include "reports/scheme_look.hpp"
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
@@ -32,6 +33,20 @@ std::vector<Refinement> entries(bool long_run) {
                 {"method.scheme=element", "element.order=reduced"})};
 }
 
+/// Gives a series the look of its scheme: variants of a mended scheme are dashed, or have hollow points.
+Series with_look(Series series, const std::string& id) {
+  const bool total = id == "schemes-000" || id == "schemes-tlsph" || id == "schemes-compatible";
+  const bool elements = id.starts_with("schemes-element");
+  series = look_of(series,
+                   total      ? "000"
+                   : elements ? "elements"
+                              : "003",
+                   id == "schemes-000" || id == "schemes-003" || id == "schemes-element-reduced");
+  series.hollow = series.hollow || id == "schemes-tlsph" || id == "schemes-mixed-none";
+  series.dashed = series.dashed || id == "schemes-mixed-reconstructed";
+  return series;
+}
+
 /// Relative errors in L2 over the CPU time of the steps, a line per scheme.
 Figure cost_figure(const Results& results, const std::vector<Refinement>& schemes) {
   Picture p{
@@ -46,7 +61,7 @@ Figure cost_figure(const Results& results, const std::vector<Refinement>& scheme
       series.x.push_back(number(level, "cpu_s"));
       series.y.push_back(number(level, "relative_l2"));
     }
-    p.series.push_back(series);
+    p.series.push_back(with_look(series, scheme.id));
     jobs.push_back(scheme.id);
   }
   return {"schemes-cpu", p, "The same runs over the CPU time of their steps, without set-up.", jobs};
@@ -83,6 +98,8 @@ Section write(const Results& results, bool long_run) {
                              "Swinging plate, finite strain, U = 0.01 m, ν = 0.3, at T/8."),
                cost_figure(results, schemes)};
   s.tables = {fits, levels};
+  for (auto& series : s.figures[0].picture.series)
+    series = with_look(series, named(schemes, series.label, &Refinement::name).id);
   // The declared order is that of central sums: checked where the scheme has them.
   for (const char* id :
        {"schemes-compatible", "schemes-mixed-none", "schemes-element", "schemes-element-reduced"})

@@ -138,6 +138,25 @@ TYPED_TEST(HistoryLaws, TangentIsTheDerivativeOfTheIncrement) {
   }
 }
 
+/// What Newton's method lowers: its slope is the stress that the increment ends with, where the law flows and where it does not.
+TYPED_TEST(HistoryLaws, StressIsTheDerivativeOfThePotentialOfTheIncrement) {
+  const auto start = this->loaded();
+  for (const double size : {1e-4, 0.02, 0.2}) {
+    const Mat<3> F = this->deformation(size);
+    auto end = start;
+    const Mat<3> P = this->law.stress(F, end).P;
+    for (int n = 0; n < 9; ++n) {
+      const double e = 1e-5;
+      Mat<3> ahead = F, behind = F;
+      ahead(n / 3, n % 3) += e;
+      behind(n / 3, n % 3) -= e;
+      const double slope = (this->law.potential(ahead, start) - this->law.potential(behind, start)) / (2 * e);
+      // e^2 times the derivatives of the tangent, and rounding over e
+      EXPECT_NEAR(slope, P(n / 3, n % 3), 1e-7 * this->elastic.shear_modulus()) << size << n;
+    }
+  }
+}
+
 TYPED_TEST(HistoryLaws, DissipationIsNotNegativeAndClosesTheBalance) {
   typename TypeParam::History history;
   Mat<3> F = Mat<3>::Identity();

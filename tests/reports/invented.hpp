@@ -387,11 +387,13 @@ inline Json Invention::run(const Words& w) {
                              "jst: angular momentum z [kg m/s]", "jst: energy" + per,
                              "gap of linear momentum", "gap of angular momentum", "gap of energy"});
   write_particles(plane, w.contains("output.vtk") && w.at("output.vtk") == "true");
+  const bool of_spacing = w.at("file").starts_with("cantilever") && w.contains("body.spacing");
+  const double particles = of_spacing ? std::round(64 / std::pow(std::stod(w.at("body.spacing")), 3)) : 64;
   const auto made = start_row();
   const auto get = [&](const char* column) { return invent(made, column); };
   return {
       {"status", "completed"},
-      {"particles", 64},
+      {"particles", particles},
       {"dimension", plane ? 2 : 3},
       {"time", get("time")},
       {"steps", get("steps")},
@@ -403,7 +405,8 @@ inline Json Invention::run(const Words& w) {
       {"hourglass_share", get("hourglass_share")},
       {"probes", {{"tip", {{"displacement", {number(), number(), number()}}}}}},
       {"failure", nullptr},
-      {"timing", {{"cpu_s", get("cpu_s")}}}};
+      {"timing", {{"cpu_s", get("cpu_s")}, {"setup_s", 1e-3 * particles}}},
+      {"memory", {{"peak_rss", 1e5 * particles}}}};
 }
 
 }  // namespace plumb::test

@@ -82,6 +82,25 @@ TEST(Page, IdsAreUniqueAndEveryAnchorHasOne) {
   EXPECT_EQ(ids.count("cmd-plate-run"), 1u);
 }
 
+/// A table that answers the question stands above the pictures; it is there once.
+TEST(Page, TablesStandAboveOrBelowThePictures) {
+  Page page = sample();
+  Section& section = page.sections[0].section;
+  section.tables.push_back(section.tables[0]);
+  section.tables[1].id = "second";
+  section.tables[1].title = "The second";
+  const auto places = [&](std::size_t above) {
+    section.tables_above = above;
+    const std::string text = html(page);
+    EXPECT_EQ(text.find("The second"), text.rfind("The second"));
+    const auto pictures = text.find("class=\"figs\"");
+    return std::pair(text.find("Levels") < pictures, text.find("The second") < pictures);
+  };
+  EXPECT_EQ(places(0), std::pair(false, false));
+  EXPECT_EQ(places(1), std::pair(true, false));
+  EXPECT_EQ(places(2), std::pair(true, true));
+}
+
 TEST(Page, CountsEveryVerdictOnTheFirstScreen) {
   const auto counts = count_verdicts(sample().sections);
   ASSERT_EQ(counts.size(), verdict_names().size());

@@ -23,6 +23,7 @@ Picture errors() {
               {"W0", {0.2, 0.1, 0.05}, {8e-3, 2.1e-3, 5.2e-4}, Style::points},
               {"W0, standard", {0.2, 0.1, 0.05}, {7.8e-3, 5e-3, 3.2e-3}, Style::lines}};
   p.series[0].band = Band{{3e-3, 0.9e-3, 2e-4, 5e-5}, {5e-3, 1.3e-3, 3e-4, 9e-5}};
+  p.series[1].hollow = true;
   p.series[2].dashed = true;
   p.triangles = {{2, 0}, {1, 2}};
   p.lines = {{1e-4, "round-off", false}, {0.07, "", true}};

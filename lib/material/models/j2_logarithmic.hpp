@@ -81,6 +81,16 @@ struct J2Logarithmic {
     return 0.5 * bulk * volume * volume + shear * e.deviator().squaredNorm();
   }
 
+  /// Energy per reference volume [Pa] that an increment from that history to F has stored and dissipated: stress() is its
+  /// derivative by F. THEORY (4.21).
+  double potential(const Mat<3>& F, const History& before) const {
+    const LogarithmicStrain e(F * before.Cp_inverse * F.transpose());
+    const Return back = mapped(e, before);
+    const double volume = std::log(F.determinant());
+    return 0.5 * bulk * volume * volume + shear * (back.scale * e.deviator()).squaredNorm() +
+           flow_work(before.plastic_strain, back.increment.strain);
+  }
+
   Response stress(const Mat<3>& F, History& history) const {
     const LogarithmicStrain e(F * history.Cp_inverse * F.transpose());
     const Return back = mapped(e, history);
@@ -125,6 +135,16 @@ struct J2Logarithmic {
     double q;      ///< [Pa]
     PlasticIncrement increment;
   };
+
+  /// Integral of tau_y from that plastic strain on [Pa].
+  double flow_work(double from, double more) const {
+    double work = hardening.yield * more + hardening.hardening * more * (from + more / 2);
+    if (hardening.saturation && hardening.saturation_exponent > 0) {
+      const double rise = *hardening.saturation - hardening.yield, delta = hardening.saturation_exponent;
+      work += rise * (more + std::exp(-delta * from) * std::expm1(-delta * more) / delta);
+    }
+    return work;
+  }
 
   Return mapped(const LogarithmicStrain& e, const History& before) const {
     const double q_trial = std::sqrt(6.0) * shear * e.deviator().norm();

@@ -44,19 +44,6 @@ NeighbourCounts count_neighbours(const ElementBody<d>& body) {
   return counts;
 }
 
-/// Rows for a vector or tensor of that many components at each place.
-template <class Rows>
-SparseMatrix per_component(const Rows& rows, int components) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index r = 0; r < rows.rows(); ++r)
-    for (typename Rows::InnerIterator it(rows, r); it; ++it)
-      for (int k = 0; k < components; ++k)
-        entries.emplace_back(components * r + k, components * it.col() + k, it.value());
-  SparseMatrix m(components * rows.rows(), components * rows.cols());
-  m.setFromTriplets(entries.begin(), entries.end());
-  return m;
-}
-
 /// u -> F - I at every point, numbered d^2 x point + d x row + column.
 template <int d>
 SparseMatrix gradient_operator(const typename ElementBody<d>::Rows& slopes) {
@@ -159,6 +146,10 @@ std::optional<Trouble> Element<d>::advance(State& state, double dt) {
     state = before;
     return trouble;
   }
+  if (body_.memory) {
+    body_.commit(F_);
+    seen_time_.reset();  // what the law says of the same F may differ in the last bit
+  }
   kick(state.time + dt);
   outside_.end_step(state.time + dt, dt, state.u, state.v, state.outside);
   state.time += dt;
@@ -172,17 +163,53 @@ std::optional<OpenAcceleration> Element<d>::open(const State& state, bool /*stil
   return OpenAcceleration{rate_, outside_.loads()};
 }
 
+/// F and P at the nodes: P of an elastic law is that of F there, that of a law with history the mean of the points around.
+template <int d>
+std::vector<WholePoint> nodal_points(const ElementBody<d>& body, const Field& at_points) {
+  const Field F = body.nodal_gradients(at_points);
+  const MixedState<d> nothing;
+  std::vector<WholePoint> nodes(static_cast<std::size_t>(body.cloud.size()),
+                                {Mat<3>::Zero(), Mat<3>::Zero()});
+  for (Index i = 0; i < body.cloud.size(); ++i) {
+    WholePoint& node = nodes[static_cast<std::size_t>(i)];
+    if (!body.memory) {
+      node = body.law.whole(nothing, F, i);
+      continue;
+    }
+    for (typename ElementBody<d>::Rows::InnerIterator it(body.mean, i); it; ++it) {
+      const WholePoint point = body.law.whole(*body.memory, at_points, it.col());
+      node.F += it.value() * point.F;
+      node.P += it.value() * point.P;
+    }
+  }
+  return nodes;
+}
+
+/// The numbers of a law's history at the nodes, as means of the points around them.
+template <int d>
+std::vector<NamedValues> nodal_history(const ElementBody<d>& body) {
+  std::vector<NamedValues> all;
+  if (!body.memory) return all;
+  const Index points = body.points();
+  for (const HistoryValue& value : body.law.history) {
+    if (value.tensor) continue;
+    const Eigen::VectorXd at_nodes =
+        body.mean * Eigen::Map<const Eigen::VectorXd>(body.memory->history[value.first], points);
+    all.push_back({value.name, value.unit, {at_nodes.begin(), at_nodes.end()}});
+  }
+  return all;
+}
+
 template <int d>
 Snapshot<d> Element<d>::snapshot(const State& state) const {
-  const Field F = body_.nodal_gradients(body_.gradients(motion_of<d>(layout(), state).u));
+  const auto nodes = nodal_points(body_, body_.gradients(motion_of<d>(layout(), state).u));
   const Cloud<d>& cloud = body_.cloud;
-  const MixedState<d> no_history;
   Snapshot<d> shown;
   shown.time = state.time;
   shown.step = state.step;
   shown.X = cloud.X;
   for (Index i = 0; i < cloud.size(); ++i) {
-    const WholePoint point = body_.law.whole(no_history, F, i);
+    const WholePoint& point = nodes[static_cast<std::size_t>(i)];
     const double J = point.F.determinant();
     shown.u.push_back(vector_at<d>(state.u, i));
     shown.x.push_back(cloud.X[i] + shown.u.back());
@@ -192,6 +219,7 @@ Snapshot<d> Element<d>::snapshot(const State& state) const {
     shown.F.push_back(point.F);
     shown.cauchy.push_back(point.P * point.F.transpose() / J);
   }
+  shown.more = nodal_history(body_);
   return shown;
 }
 
@@ -203,6 +231,11 @@ Energy Element<d>::energy(const State& state) const {
     energy.kinetic += 0.5 * body_.elastic.density * body_.cloud.V[i] * vector_at<d>(state.v, i).squaredNorm();
   energy.strain = body_.strain_energy(body_.gradients(motion.u));
   if (body_.hourglass_modulus > 0) energy.more.push_back({"hourglass", body_.hourglass_energy(motion.u)});
+  if (body_.law.plastic_work)
+    energy.more.push_back(
+        {"plastic work", Eigen::Map<const Eigen::VectorXd>(body_.mesh.weight.data(), body_.points())
+                             .dot(Eigen::Map<const Eigen::VectorXd>(
+                                 body_.memory->history[*body_.law.plastic_work], body_.points()))});
   return energy;
 }
 
@@ -236,15 +269,15 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   operators.identity = identities<d>(body_.points());
   operators.force =
       SparseMatrix(gradient_operator<d>(typename ElementBody<d>::Rows(body_.forces.transpose())).transpose());
-  operators.terms = per_component(body_.springs, d);
+  operators.terms = body_.springs;
   if (outside_.needs_F())
     made.at_particles = {identities<d>(body_.cloud.size()),
-                         per_component(body_.mean, d * d) * operators.gradient};
+                         per_component(SparseMatrix(body_.mean), d * d) * operators.gradient};
   made.cloud = body_.cloud;
   made.elastic = body_.elastic;
   made.slots = layout();
   made.energy = [asked](const Eigen::VectorXd& u) {
-    return asked->body.strain_energy(asked->body.gradients(u)) + asked->body.hourglass_energy(u);
+    return asked->body.potential(asked->body.gradients(u)) + asked->body.hourglass_energy(u);
   };
   made.residual = [asked](const Eigen::VectorXd& u) -> std::optional<Eigen::VectorXd> {
     const Field F = asked->body.gradients(u);
@@ -252,7 +285,9 @@ StoredEnergy<d> Element<d>::stored_energy() const {
     if (asked->trouble) return std::nullopt;
     return asked->body.residual(u, F);
   };
-  made.tangent = [tangent = body_.tangent](const Mat<d>& F, Index) { return tangent(F); };
+  made.tangent = [asked](const Mat<d>& F, Index point) { return asked->body.tangent_at(F, point); };
+  if (body_.memory)
+    made.commit = [asked](const Eigen::VectorXd& u) { asked->body.commit(asked->body.gradients(u)); };
   made.trouble = [asked] { return asked->trouble; };
   double volume = 0;
   for (const double V : body_.cloud.V) volume += V;

@@ -30,7 +30,7 @@ struct ElementState {
 
 /// Finite elements on the nodes of a box, with lumped masses: what others use on such a body, for comparison.
 /// They move by velocity Verlet (kick, drift, kick); stored_energy() lets others seek their equilibria. All
-/// elastic laws. THEORY (15.7), (15.8), (15.9), (15.10).
+/// laws but those that follow rates. THEORY (15.7), (15.8), (15.9), (15.10).
 template <int d>
 class Element {
  public:
@@ -54,6 +54,13 @@ class Element {
   StoredEnergy<d> stored_energy() const;
   const Actions<d>& actions() const { return actions_; }  ///< with areas that fit the elements
   Slots layout() const { return {body_.cloud.size(), 0, 0, 1}; }
+
+  /// Visits what points remember, with their number: for checkpoints.
+  template <class Visit>
+  void fields_at_points(Visit&& visit) {
+    if (body_.memory)
+      visit(FieldInfo{"law's history at points", "", Role::history}, body_.memory->history, body_.points());
+  }
 
   static constexpr int evaluations_per_step = 1;
   NeighbourCounts neighbours() const { return neighbours_; }

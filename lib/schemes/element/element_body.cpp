@@ -121,13 +121,14 @@ std::optional<Trouble> ElementBody<d>::trouble(const Field& F) const {
 template <int d>
 Eigen::VectorXd ElementBody<d>::residual(const Eigen::VectorXd& u, const Field& F) const {
   constexpr Index at_once = 256;  // points in one thread's piece
-  const MixedState<d> no_history;
+  const MixedState<d> nothing;
+  const MixedState<d>& remembered = memory ? *memory : nothing;
   Field P(d * d, points(), 0);
   PerNode<d> stress(d * points(), d);
 #pragma omp parallel for schedule(static)
   for (Index first = 0; first < points(); first += at_once) {
     const Index end = std::min(first + at_once, points());
-    law.stress(no_history, F, first, end, P);
+    law.stress(remembered, F, first, end, P);
     for (Index q = first; q < end; ++q)
       for (int k = 0; k < d; ++k)
         for (int m = 0; m < d; ++m) stress(d * q + m, k) = P[d * k + m][q];
@@ -139,7 +140,22 @@ Eigen::VectorXd ElementBody<d>::residual(const Eigen::VectorXd& u, const Field& 
 
 template <int d>
 double ElementBody<d>::strain_energy(const Field& F) const {
-  return law.energy(MixedState<d>(), F, mesh.weight.data(), 0, points());
+  return law.energy(memory ? *memory : MixedState<d>(), F, mesh.weight.data(), 0, points());
+}
+
+template <int d>
+double ElementBody<d>::potential(const Field& F) const {
+  return memory ? law.potential(*memory, F, mesh.weight.data(), 0, points()) : strain_energy(F);
+}
+
+template <int d>
+Tangent<d> ElementBody<d>::tangent_at(const Mat<d>& F, Index point) const {
+  return memory ? law.tangent(*memory, F, point) : tangent(F);
+}
+
+template <int d>
+void ElementBody<d>::commit(const Field& F) const {
+  if (memory) law.commit(*memory, F, 0, points());
 }
 
 template <int d>
@@ -152,7 +168,7 @@ double ElementBody<d>::hourglass_energy(const Eigen::VectorXd& u) const {
 
 template <int d>
 double ElementBody<d>::highest_frequency() const {
-  const Tangent<d> stiffness = tangent(Mat<d>::Identity());
+  const Tangent<d> stiffness = tangent_at(Mat<d>::Identity(), 0);
   double most = 0;
   Eigen::MatrixXd last;
   for (Index c = 0; c < mesh.cells(); ++c) {
@@ -169,16 +185,22 @@ double ElementBody<d>::highest_frequency() const {
 template <int d>
 ElementBody<d> make_element_body(Specimen<d> specimen, const ElementOptions& options) {
   ElementBody<d> body;
-  with_elastic_law<d>(specimen.law, specimen.elastic, [&](const auto& law) {
-    body.tangent = [law](const Mat<d>& F) { return tangent_of<d>(law, F); };
-  });
   body.law = block_law<d>(specimen.law, specimen.elastic, false);
+  if (!body.law.tangent)
+    with_elastic_law<d>(specimen.law, specimen.elastic, [&](const auto& law) {
+      body.tangent = [law](const Mat<d>& F) { return tangent_of<d>(law, F); };
+    });
   body.elastic = in_dimension(d, specimen.elastic, specimen.law.plane);
   body.mesh = make_element_mesh(specimen.cloud, options.degree(), options.one_point());
   body.cloud = std::move(specimen.cloud);
   body.cloud.V = body.mesh.volume;
   body.hourglass_modulus = options.one_point() ? options.alpha * body.elastic.shear_modulus() : 0;
   set_matrices(body, body.hourglass_modulus);
+  if (body.law.history_components > 0) {
+    body.memory = std::make_shared<MixedState<d>>();
+    body.memory->history = Field(body.law.history_components, body.points(), 0);
+    start_history<d>(specimen.law, *body.memory, body.points());
+  }
   return body;
 }
 

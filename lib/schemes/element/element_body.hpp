@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "lib/schemes/element/element_mesh.hpp"
@@ -21,7 +22,9 @@ struct ElementBody {
   Elastic elastic;  ///< of small strains in d dimensions
   ElementMesh<d> mesh;
   BlockLaw<d> law;
-  std::function<Tangent<d>(const Mat<d>&)> tangent;  ///< dP/dF [Pa]
+  /// What points remember of a law with history, committed once a step; it belongs to the body: copies share it. Null: nothing.
+  std::shared_ptr<MixedState<d>> memory;
+  std::function<Tangent<d>(const Mat<d>&)> tangent;  ///< dP/dF of an elastic law [Pa]; empty with a memory
   double hourglass_modulus = 0;                      ///< alpha mu [Pa]
   Rows slopes;                                       ///< nodes -> slopes at row d x point + direction [1/m]
   Rows forces;                                       ///< the transposed, times weights [m^(d-1)]
@@ -37,13 +40,19 @@ struct ElementBody {
   std::optional<Trouble> trouble(const Field& F) const;
   /// Minus the internal force [N], with F of those displacements.
   Eigen::VectorXd residual(const Eigen::VectorXd& u, const Field& F) const;
-  double strain_energy(const Field& F) const;               ///< [J]
+  double strain_energy(const Field& F) const;  ///< [J]
+  /// Sum of the potentials of the increment from the committed history [J]; the strain energy of a law without.
+  double potential(const Field& F) const;
+  /// dP/dF of the increment of a point from its committed history [Pa].
+  Tangent<d> tangent_at(const Mat<d>& F, Index point) const;
+  /// Moves the history of every point to F.
+  void commit(const Field& F) const;
   double hourglass_energy(const Eigen::VectorXd& u) const;  ///< [J]
   /// The highest angular frequency of the stiffest cell [1/s]. THEORY (15.10).
   double highest_frequency() const;
 };
 
-/// Puts the body together. InputError as make_element_mesh(), and for a law without energy.
+/// Puts the body together. InputError as make_element_mesh(), and for a law that follows rates.
 template <int d>
 ElementBody<d> make_element_body(Specimen<d> specimen, const ElementOptions& options);
 

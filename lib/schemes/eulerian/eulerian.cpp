@@ -75,7 +75,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
   const Cloud<d>& cloud = specimen_.cloud;
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
-    store(law_.at_rest(), state, i);
+    store(law_.at_rest(motion.temperature_of(i)), state, i);
     set_tensor<d>(state.before, i, Mat<d>::Identity());
     state.volume[0][i] = cloud.V[i];
   }

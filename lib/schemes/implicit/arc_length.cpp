@@ -92,6 +92,7 @@ std::optional<ArcPoint> ArcLengthPath<d>::step(double length) {
     if (!next) continue;
     last_ = balance_.free_part(Eigen::VectorXd(next->u - point_.u));
     point_ = *next;
+    balance_.energy().commit(point_.u);
     return next;
   }
   return std::nullopt;

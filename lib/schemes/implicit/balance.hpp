@@ -44,8 +44,10 @@ class Balance {
   Eigen::VectorXd free_part(const Eigen::VectorXd& all) const;
   Eigen::VectorXd whole(const Eigen::VectorXd& free) const;
 
+  const Eigen::VectorXd& inertia() const { return weight_; }  ///< the weight of set_inertia(); empty without
   bool symmetric() const { return !loads_.follow(); }
   DiscreteEnergy<d>& energy() { return energy_; }
+  const DiscreteEnergy<d>& energy() const { return energy_; }
   const std::vector<Index>& held() const { return held_; }
 
  private:

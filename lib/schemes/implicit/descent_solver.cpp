@@ -29,6 +29,7 @@ std::optional<Eigen::VectorXd> DescentSolver::try_shift(const Eigen::SparseMatri
 
 std::optional<DescentSolver::Solution> DescentSolver::solve(const Eigen::SparseMatrix<double>& K,
                                                             const Eigen::VectorXd& b) {
+  if (K.rows() == 0) return Solution{b, 0};  // everything is held
   const double scale = K.diagonal().cwiseAbs().mean();
   for (double share = 0; share <= most_shift; share = share == 0 ? least_shift : 10 * share) {
     auto x = try_shift(K, share * scale, b);
@@ -38,6 +39,7 @@ std::optional<DescentSolver::Solution> DescentSolver::solve(const Eigen::SparseM
 }
 
 Eigen::VectorXd DescentSolver::again(const Eigen::VectorXd& b) const {
+  if (b.size() == 0) return b;
   if (symmetric_) return cholesky_.solve(b);
   return lu_->solve(b);
 }

@@ -38,20 +38,32 @@ class DiscreteEnergy {
   /// of 1e-9 that is 1e-7 of the forces.
   double residual_round_off(const Eigen::VectorXd& u) const;
 
+  /// Returns |D| |T| |G| |u| + |terms| |u| where it was linearised last [N]: no smaller than |K| |u|.
+  Eigen::VectorXd largest_products(const Eigen::VectorXd& u) const;
+
+  const LinearOperators& operators() const { return stored_.operators; }
+  const SparseMatrix& material() const { return material_; }  ///< T, where it was linearised last
   const Cloud<d>& cloud() const { return stored_.cloud; }
   const Elastic& elastic() const { return stored_.elastic; }
   const Slots& slots() const { return stored_.slots; }
   double round_off() const { return stored_.round_off; }  ///< of E near the reference [J]
+  /// Says that the body is at u for good: a law with history moves it there.
+  void commit(const Eigen::VectorXd& u) {
+    if (stored_.commit) stored_.commit(u);
+  }
   /// Where the last residual had no J > 0, if it had.
   std::optional<Trouble> trouble() const { return stored_.trouble(); }
   const std::vector<Index>& unknowns() const { return unknowns_; }
 
  private:
+  void take_parts();
+
   StoredEnergy<d> stored_;
   std::vector<Index> unknowns_;
-  SparseMatrix gradient_part_, force_part_, terms_part_;  ///< of the chosen unknowns
-  SparseMatrix material_;                                 ///< T
-  KnownProduct stress_, stiffness_;                       ///< T G and D T G
+  SparseMatrix gradient_part_, force_part_,
+      terms_part_;                   ///< of the chosen unknowns, once the tangent is asked for
+  SparseMatrix material_;            ///< T
+  KnownProduct stress_, stiffness_;  ///< T G and D T G
 };
 
 }  // namespace plumb

@@ -78,7 +78,7 @@ struct EnergyMomentum<d>::Middle {
       const Mat<d> stress = stress_of_step(law, first, middle);
       for (int n = 0; n < d * d; ++n) P[d * d * q + n] = stress(n / d, n % d);
     }
-    return operators.force * P + operators.terms * u;
+    return operators.force * P + component_product<d>(operators.terms, u);
   }
 };
 

@@ -27,9 +27,8 @@ Eigen::VectorXd ExternalLoads<d>::dead(const PathPoint& at) const {
     if (!load.traction) continue;
     const Asked asked(load.steady, at);
     for (const LoadedPlace<d>& place : load.places) {
-      const double area = place.area.norm();
       force.segment<d>(d * place.particle) +=
-          asked.factor * area * load.traction(place.at, place.area / area, asked.time);
+          asked.factor * place.size() * load.traction(place.at, place.normal(), asked.time);
     }
   }
   for (const BodyForce<d>& load : actions_.body_forces) {
@@ -54,7 +53,8 @@ void ExternalLoads<d>::for_each_pressure(const PathPoint& at, Use&& use) const {
     if (!load.pressure) continue;
     const Asked asked(load.steady, at);
     for (const LoadedPlace<d>& place : load.places)
-      use(place.particle, Vec<d>(-asked.factor * load.pressure(place.at, asked.time) * place.area));
+      use(place.particle,
+          Vec<d>(-asked.factor * load.pressure(place.at, asked.time) * place.share * place.area));
   }
 }
 

@@ -21,11 +21,15 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
   if (options.tolerance >= 1)
     section.fail("tolerance", fmt::format("{:g} is no tolerance", options.tolerance),
                  "it is a share of the forces", "give a number below 1, such as 1e-10");
-  // it stands in a scene so that other values can follow; a choice that is not built is an unknown one
-  section.choice_or("solver", "direct", {"direct"});
+  if (section.choice_or("solver", "direct", {"direct", "iterative"}) == "iterative")
+    options.solver = LinearSolver::iterative;
   const std::string dynamics = section.choice_or("dynamics", "none", {"none", "midpoint", "energy-momentum"});
   options.midpoint = dynamics == "midpoint";
   options.energy_momentum = dynamics == "energy-momentum";
+  if (options.energy_momentum && options.solver == LinearSolver::iterative)
+    section.fail("solver", "\"iterative\" contradicts dynamics = \"energy-momentum\"",
+                 "its tangent is not symmetric, and conjugate gradients need that",
+                 "use solver = \"direct\", or dynamics = \"midpoint\"");
   section.reject_unknown();
   return options;
 }
@@ -36,8 +40,9 @@ std::string ImplicitOptions::in_words() const {
   if (moves())
     return fmt::format("{}, {}, residual {:g} of the forces",
                        midpoint ? "implicit midpoint rule" : "energy-momentum rule", size, tolerance);
-  return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces", size,
-                     adaptive ? " (halved and grown as needed)" : "", tolerance);
+  return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces{}", size,
+                     adaptive ? " (halved and grown as needed)" : "", tolerance,
+                     solver == LinearSolver::iterative ? ", conjugate gradients" : "");
 }
 
 double ImplicitOptions::first_step(double end_time) const {

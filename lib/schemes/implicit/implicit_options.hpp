@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "lib/schemes/implicit/linear_solver.hpp"
+
 namespace plumb {
 
 class Section;
@@ -17,8 +19,9 @@ struct ImplicitOptions {
   std::optional<double> time_step;  ///< [s]: gives the number of steps instead
   bool adaptive = true;             ///< steps are halved on failure, and grow where Newton's method is quick
   double tolerance = 1e-10;         ///< residual relative to the forces
-  bool midpoint = false;            ///< dynamics = "midpoint": steps in time instead of equilibria
-  bool energy_momentum = false;     ///< dynamics = "energy-momentum": likewise, with exact energy
+  LinearSolver solver = LinearSolver::direct;  ///< with the tangent
+  bool midpoint = false;                       ///< dynamics = "midpoint": steps in time instead of equilibria
+  bool energy_momentum = false;                ///< dynamics = "energy-momentum": likewise, with exact energy
 
   bool moves() const { return midpoint || energy_momentum; }  ///< in time, with inertia
   /// Reads the section. Throws SceneError.

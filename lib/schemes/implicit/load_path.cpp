@@ -39,7 +39,7 @@ LoadPath<d>::LoadPath(StoredEnergy<d> energy, const Actions<d>& actions, double 
       end_time_(end_time),
       options_(options),
       balance_(std::move(energy), actions, {from.time, from.time / end_time}, from.u),
-      solver_(balance_.symmetric()),
+      solver_(balance_, options.solver),
       first_(options.first_step(end_time)),
       length_(first_) {
   require_support(balance_, solver_);
@@ -69,6 +69,7 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, BodyMotion& motion,
     }
     share = next;
     u = trial;
+    balance_.energy().commit(u);
     motion = {u, Eigen::VectorXd::Zero(u.size()), share * end_time_, motion.step + 1};
     if (on_step) on_step(motion, {share, found});
     if (options_.adaptive && !tried_longer && found.iterations() <= quick) length_ *= growth;

@@ -32,8 +32,8 @@ using OnLoadStep = std::function<void(const BodyMotion& equilibrium, const LoadS
 
 /// Takes a body from equilibrium to equilibrium, from no load at time 0 to the loads and supports of the end
 /// time [s]. Loads and displacements that vary in time are taken at the time of the step; constant ones grow
-/// in proportion to it. Dead loads and pressures that follow; any elastic law, any bond table with the
-/// adjoint force, terms with an energy.
+/// in proportion to it. Dead loads and pressures that follow; any law, any bond table with the
+/// adjoint force, terms with an energy. A law with history is moved on at every equilibrium.
 template <int d>
 class LoadPath {
  public:
@@ -59,7 +59,7 @@ class LoadPath {
   double end_time_;
   ImplicitOptions options_;
   Balance<d> balance_;
-  DescentSolver solver_;
+  TangentSolver<d> solver_;
   double first_, length_;  ///< of load steps, as shares of the path
   int rejected_ = 0;
 };

@@ -54,6 +54,9 @@ std::vector<LoadedVibration> vibrations_about(Balance<d>& balance, const Eigen::
   if (!balance.symmetric())
     throw InputError("vibrations under a pressure that follows", "its stiffness is not symmetric",
                      "use a traction in its place");
+  if (balance.energy().unknowns().empty())
+    throw InputError("vibrations of a body that is held everywhere", "nothing of it can move",
+                     "leave out one of its supports");
   Eigen::VectorXd root;
   const SparseMatrix S = scaled_stiffness(balance, u, root);
   const Index columns = std::min<Index>(S.rows(), 2 * count + 8);

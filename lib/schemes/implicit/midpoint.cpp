@@ -17,10 +17,10 @@ Eigen::VectorXd masses_of(const DiscreteEnergy<d>& energy) {
 
 template <int d>
 Midpoint<d>::Midpoint(StoredEnergy<d> energy, const Actions<d>& actions, double tolerance,
-                      const BodyMotion& from)
+                      const BodyMotion& from, LinearSolver how)
     : tolerance_(tolerance),
       balance_(std::move(energy), actions, {from.time, 1}, from.u),
-      solver_(balance_.symmetric()),
+      solver_(balance_, how),
       mass_(masses_of(balance_.energy())) {}
 
 template <int d>
@@ -39,6 +39,7 @@ NewtonResult Midpoint<d>::step(BodyMotion& motion, double dt) {
   motion.v = 2 / dt * moved - v;
   motion.time += dt;
   ++motion.step;
+  balance_.energy().commit(motion.u);
   return result;
 }
 

@@ -15,7 +15,8 @@ class Midpoint {
   /// energy.
   Midpoint(const Solid<d>& solid, const Actions<d>& actions, double tolerance, const State<d>& state)
       : Midpoint(stored_energy(solid), actions, tolerance, motion_of<d>(solid.bonds.slots, state)) {}
-  Midpoint(StoredEnergy<d> energy, const Actions<d>& actions, double tolerance, const BodyMotion& from);
+  Midpoint(StoredEnergy<d> energy, const Actions<d>& actions, double tolerance, const BodyMotion& from,
+           LinearSolver how = LinearSolver::direct);
 
   /// Makes one step of dt [s]; the motion stays as it was where the search did not converge.
   NewtonResult step(BodyMotion& motion, double dt);
@@ -30,7 +31,7 @@ class Midpoint {
  private:
   double tolerance_;
   Balance<d> balance_;
-  DescentSolver solver_;
+  TangentSolver<d> solver_;
   Eigen::VectorXd mass_;  ///< rho V of every unknown [kg]
 };
 

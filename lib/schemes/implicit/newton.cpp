@@ -1,7 +1,7 @@
 #include "lib/schemes/implicit/newton.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plumb {
 namespace {
@@ -10,10 +10,11 @@ constexpr int most_newton_steps = 40;
 constexpr int most_halvings = 12;         // of a step: then its direction is of no use
 constexpr double enough_of_slope = 1e-4;  // Armijo's share of the decrease that the slope promises
 
-/// What rounding of u by half a unit leaves of r: |K| |u|.
-double round_off_of_residual(const SparseMatrix& K, const Eigen::VectorXd& u) {
-  constexpr double unit = std::numeric_limits<double>::epsilon();
-  return unit * (K.cwiseAbs() * u.cwiseAbs()).norm();
+/// How exactly a step is asked for whose residual is `now` of the forces: to the square of it, so that Newton's method stays
+/// quadratic, and no more exactly than the end asks for.
+double tolerance_of_step(double now, double tolerance) {
+  constexpr double most = 1e-3;
+  return std::clamp(now, std::min(most, 0.1 * tolerance / std::max(now, tolerance)), most);
 }
 
 /// The point on the way along a step that lowers the potential with every J positive; nullopt if there is
@@ -36,7 +37,7 @@ std::optional<Eigen::VectorXd> backtracked(Balance<d>& balance, const Eigen::Vec
 }  // namespace
 
 template <int d>
-NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance, Eigen::VectorXd& u) {
+NewtonResult newton(Balance<d>& balance, TangentSolver<d>& solver, double tolerance, Eigen::VectorXd& u) {
   NewtonResult result;
   const auto ended = [&](NewtonEnd why) {
     result.end = why;
@@ -51,14 +52,12 @@ NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance
     if (!r.allFinite()) return ended(NewtonEnd::not_a_number);
     if (r.norm() <= tolerance * scale) return ended(NewtonEnd::converged);
     if (n == most_newton_steps) return ended(NewtonEnd::stalled);
-    balance.linearise_at(u);
-    const SparseMatrix K = balance.tangent();
-    const double round_off =
-        round_off_of_residual(K, balance.free_part(u)) + balance.energy().residual_round_off(u);
+    solver.linearise_at(balance, u);
+    const double round_off = solver.round_off(balance, u) + balance.energy().residual_round_off(u);
     if (r.norm() <= round_off) return ended(NewtonEnd::converged);
-    const auto solution = solver.solve(K, -r);
+    const auto solution = solver.solve(balance, -r, tolerance_of_step(result.residuals.back(), tolerance));
     if (!solution) return ended(NewtonEnd::not_a_number);
-    if (solution->shift > 0) ++result.shifted;
+    if (solution->shifted) ++result.shifted;
     bool inverted = false;
     const auto next = backtracked(balance, u, balance.whole(solution->x), r.dot(solution->x), inverted);
     if (!next) return ended(inverted ? NewtonEnd::inverted : NewtonEnd::stalled);
@@ -67,15 +66,16 @@ NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance
 }
 
 template <int d>
-NewtonEnd predict(Balance<d>& balance, DescentSolver& solver, Eigen::VectorXd& u) {
+NewtonEnd predict(Balance<d>& balance, TangentSolver<d>& solver, Eigen::VectorXd& u) {
   Eigen::VectorXd moved = u;
   balance.put_held(moved);
   if (moved == u) return NewtonEnd::converged;
   const auto r = balance.residual(u);
   if (!r) return NewtonEnd::inverted;
-  balance.linearise_at(u);
+  solver.linearise_at(balance, u);
   const Eigen::VectorXd pulled = *r + balance.tangent_times(moved - u);
-  const auto solution = solver.solve(balance.tangent(), -balance.free_part(pulled));
+  constexpr double enough = 1e-6;  // Newton's method does the rest
+  const auto solution = solver.solve(balance, -balance.free_part(pulled), enough);
   if (!solution) return NewtonEnd::not_a_number;
   moved += balance.whole(solution->x);
   if (!balance.residual(moved)) return NewtonEnd::inverted;
@@ -84,17 +84,17 @@ NewtonEnd predict(Balance<d>& balance, DescentSolver& solver, Eigen::VectorXd& u
 }
 
 template <int d>
-NewtonResult equilibrium_at(Balance<d>& balance, DescentSolver& solver, double tolerance,
+NewtonResult equilibrium_at(Balance<d>& balance, TangentSolver<d>& solver, double tolerance,
                             Eigen::VectorXd& u) {
   NewtonResult result;
   result.end = predict(balance, solver, u);
   return result.converged() ? newton(balance, solver, tolerance, u) : result;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                          \
-  template NewtonResult newton<d>(Balance<d>&, DescentSolver&, double, Eigen::VectorXd&); \
-  template NewtonEnd predict<d>(Balance<d>&, DescentSolver&, Eigen::VectorXd&);           \
-  template NewtonResult equilibrium_at<d>(Balance<d>&, DescentSolver&, double, Eigen::VectorXd&);
+#define PLUMBLINE_INSTANTIATE(d)                                                             \
+  template NewtonResult newton<d>(Balance<d>&, TangentSolver<d>&, double, Eigen::VectorXd&); \
+  template NewtonEnd predict<d>(Balance<d>&, TangentSolver<d>&, Eigen::VectorXd&);           \
+  template NewtonResult equilibrium_at<d>(Balance<d>&, TangentSolver<d>&, double, Eigen::VectorXd&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

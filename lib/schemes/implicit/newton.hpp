@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/schemes/implicit/balance.hpp"
-#include "lib/schemes/implicit/descent_solver.hpp"
+#include "lib/schemes/implicit/tangent_solver.hpp"
 
 namespace plumb {
 
@@ -28,16 +28,17 @@ struct NewtonResult {
 /// method with backtracking on the potential, every J positive on the way. Ends when |r| is `tolerance` of
 /// the force scale, or as small as the round-off of u and F makes it. THEORY (15.2), (15.3).
 template <int d>
-NewtonResult newton(Balance<d>& balance, DescentSolver& solver, double tolerance, Eigen::VectorXd& u);
+NewtonResult newton(Balance<d>& balance, TangentSolver<d>& solver, double tolerance, Eigen::VectorXd& u);
 
 /// Moves u to the present share: held unknowns to where they are prescribed to be, free ones with them
 /// through the stiffness at the old u, so that supports that move do not tear their first layer off. Leaves u
 /// as it is and says why if that cannot be done. THEORY (15.4).
 template <int d>
-NewtonEnd predict(Balance<d>& balance, DescentSolver& solver, Eigen::VectorXd& u);
+NewtonEnd predict(Balance<d>& balance, TangentSolver<d>& solver, Eigen::VectorXd& u);
 
 /// Predicts, then searches; a search that is not made has no residuals.
 template <int d>
-NewtonResult equilibrium_at(Balance<d>& balance, DescentSolver& solver, double tolerance, Eigen::VectorXd& u);
+NewtonResult equilibrium_at(Balance<d>& balance, TangentSolver<d>& solver, double tolerance,
+                            Eigen::VectorXd& u);
 
 }  // namespace plumb

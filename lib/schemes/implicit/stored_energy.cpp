@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "lib/core/error.hpp"
+#include "lib/schemes/tlsph/loops/body_history.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
+#include "lib/schemes/tlsph/time/commit_history.hpp"
 
 namespace plumb {
 namespace {
@@ -16,9 +18,10 @@ constexpr double rounding = 1e-12;
 /// The force has an energy if D is the transposed of V G, the adjoint form. THEORY (5.3).
 template <int d>
 void require_energy(const Solid<d>& solid, const LinearOperators& operators) {
-  SparseMatrix adjoint = operators.gradient.transpose();
-  for (Index n = 0; n < adjoint.cols(); ++n) adjoint.col(n) *= solid.cloud.V[n / (d * d)];
-  if ((operators.force - adjoint).norm() <= rounding * operators.force.norm()) return;
+  SparseMatrix difference = operators.gradient.transpose();
+  for (Index n = 0; n < difference.cols(); ++n) difference.col(n) *= -solid.cloud.V[n / (d * d)];
+  difference += operators.force;
+  if (difference.norm() <= rounding * operators.force.norm()) return;
   throw InputError(
       "this internal force has no energy",
       "equilibrium is sought as a stationary point of the energy, and the force is not its derivative",
@@ -44,6 +47,19 @@ struct Asked {
   Workspace<d> workspace = {};
   Outcome outcome = {};  ///< of the last residual
 };
+
+/// The sum of what has the force as its derivative: strain energy or potential of the increment, and the energies of terms.
+template <int d>
+double potential_of(const Solid<d>& solid, const State<d>& state) {
+  const auto& history = solid.sweeps.history;
+  double sum = sum_over_blocks(solid, [&](const Block& block) {
+    return (history ? history->potential : solid.sweeps.energy)(solid.bonds, state.u, block,
+                                                                solid.volume.data());
+  });
+  for (const auto& term : solid.terms)
+    if (term.energy) sum += term.energy(solid, state);
+  return sum;
+}
 
 template <int d>
 std::optional<Eigen::VectorXd> residual_of(Asked<d>& asked, const Eigen::VectorXd& u) {
@@ -76,10 +92,19 @@ StoredEnergy<d> stored_energy(const Solid<d>& body) {
   require_energy(solid, made.operators);
   made.energy = [asked](const Eigen::VectorXd& u) {
     set_unknowns(asked->solid, u, asked->state.u);
-    return energy_of(asked->solid, asked->state).total();
+    return potential_of(asked->solid, asked->state);
   };
   made.residual = [asked](const Eigen::VectorXd& u) { return residual_of(*asked, u); };
   made.tangent = [tangent = solid.sweeps.tangent](const Mat<d>& F, Index) { return tangent(F); };
+  if (solid.sweeps.history) {
+    made.tangent = [asked](const Mat<d>& F, Index place) {
+      return asked->solid.sweeps.history->tangent(F, asked->solid.bonds.slots.of(place));
+    };
+    made.commit = [asked](const Eigen::VectorXd& u) {
+      set_unknowns(asked->solid, u, asked->state.u);
+      commit_history(asked->solid, asked->state);
+    };
+  }
   made.trouble = [asked] { return asked->outcome.trouble; };
   made.round_off = energy_round_off(solid);
   return made;

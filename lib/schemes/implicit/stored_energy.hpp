@@ -27,6 +27,9 @@ struct StoredEnergy {
   /// dE/du [N]; nullopt if some J is not positive.
   std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& u)> residual;
   std::function<Tangent<d>(const Mat<d>& F, Index place)> tangent;  ///< dP/dF of the law there [Pa]
+  /// Moves the history of the law to the displacements u of an equilibrium or of a step's end; empty: it has none. Energy, residual
+  /// and tangent are those of the increment since.
+  std::function<void(const Eigen::VectorXd& u)> commit = {};
   std::function<std::optional<Trouble>()> trouble;  ///< where the last residual had no positive J, if it had
   double round_off = 0;                             ///< of E near the reference [J]
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lib/schemes/implicit/balance.hpp"
-#include "lib/schemes/implicit/descent_solver.hpp"
+#include "lib/schemes/implicit/tangent_solver.hpp"
 
 namespace plumb {
 
@@ -17,6 +17,6 @@ std::optional<std::string> free_rigid_motion(const DiscreteEnergy<d>& energy, co
 /// Throws InputError if the body can move without a force: it names the rigid motion that nothing holds, or a
 /// particle of a part that is loose.
 template <int d>
-void require_support(Balance<d>& balance, DescentSolver& solver);
+void require_support(Balance<d>& balance, TangentSolver<d>& solver);
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include "lib/core/error.hpp"
 #include "lib/material/laws.hpp"
 #include "lib/material/models/polyconvex.hpp"
+#include "lib/material/tangent.hpp"
 #include "lib/schemes/gather.hpp"
 #include "lib/schemes/tensors.hpp"
 
@@ -116,16 +117,26 @@ BlockLaw<d> history_law(const M& law) {
         for (int b = 0; b < d; ++b) P[a * d + b][i] = stress(a, b);
     }
   };
-  made.energy = [law](const MixedState<d>& state, const Field& F, const double* volume, Index begin,
-                      Index end) {
-    double sum = 0;
-    for (Index i = begin; i < end; ++i) {
-      if (volume[i] == 0) continue;
-      History history;
-      load_history(history, state.history, i);
-      sum += volume[i] * law.energy(whole_gradient<d>(F, i), history);
-    }
-    return sum;
+  const auto sum_of = [](const auto& density) {
+    return
+        [density](const MixedState<d>& state, const Field& F, const double* volume, Index begin, Index end) {
+          double sum = 0;
+          for (Index i = begin; i < end; ++i) {
+            if (volume[i] == 0) continue;
+            History history;
+            load_history(history, state.history, i);
+            sum += volume[i] * density(whole_gradient<d>(F, i), history);
+          }
+          return sum;
+        };
+  };
+  made.energy = sum_of([law](const Mat<3>& F, const History& history) { return law.energy(F, history); });
+  made.potential =
+      sum_of([law](const Mat<3>& F, const History& history) { return law.potential(F, history); });
+  made.tangent = [law](const MixedState<d>& state, const Mat<d>& F, Index i) {
+    History history;
+    load_history(history, state.history, i);
+    return part_in<d>(law.tangent(in_3d<d, double>(F, 1), history));
   };
   made.whole = [law](const MixedState<d>& state, const Field& F, Index i) -> WholePoint {
     History history;

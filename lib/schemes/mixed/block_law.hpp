@@ -24,6 +24,11 @@ struct BlockLaw {
   std::function<double(const MixedState<d>&, const Field& F, const double* volume, Index begin, Index end)>
       energy;
   std::function<WholePoint(const MixedState<d>&, const Field& F, Index slot)> whole;
+  /// With a history: sum V times the potential of the increment from it [J], and dP/dF of the increment [Pa]; empty without.
+  std::function<double(const MixedState<d>&, const Field& F, const double* volume, Index begin, Index end)>
+      potential;
+  std::function<Eigen::Matrix<double, d * d, d * d>(const MixedState<d>&, const Mat<d>& F, Index slot)>
+      tangent;
   /// Moves the history to the end of a step; empty: the law has none.
   std::function<void(MixedState<d>&, const Field& F, Index begin, Index end)> commit;
   std::vector<HistoryValue> history;

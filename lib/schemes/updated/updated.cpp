@@ -87,7 +87,7 @@ UpdatedState<d> Updated<d>::start(const InitialMotion<d>& motion) {
   outside_.contact().start(state.u, state.anchors);
   for (Index i = 0; i < count(); ++i) {
     state.density[0][i] = law_.density;
-    store(law_.at_rest(), state, i);
+    store(law_.at_rest(motion.temperature_of(i)), state, i);
     set_tensor<d>(state.F, i, Mat<d>::Identity());
   }
   if (!motion.u.empty()) deform(state, motion);

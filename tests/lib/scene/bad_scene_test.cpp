@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"VelocityAndSpin", "velocity = [\"Y\", \"-X\"]", "velocity = [\"Y\", \"-X\"]\nspin = [0, 0, 1]",
             25, "initial.spin", "contradicts"},
         Bad{"EmptyInitial", "velocity = [\"Y\", \"-X\"]\n", "", 23, "initial",
-            "velocity, spin or displacement"},
+            "velocity, spin, displacement or temperature"},
         Bad{"FaceOfTheThirdAxis", "face = \"x-\"", "face = \"z-\"", 26, "boundary.0.face", "z-"},
         Bad{"NoPlaceOfTheBoundary", "face = \"x-\"\n", "", 25, "boundary.0", "face"},
         Bad{"BoundaryKind", "kind = \"clamped\"", "kind = \"clampd\"", 27, "boundary.0.kind", "clamped"},

@@ -9,19 +9,12 @@
 #include "lib/material/point.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/simulation.hpp"
+#include "tests/support/plastic.hpp"
 
 namespace plumb {
 namespace {
 
-const std::string copper = R"(
-[material]
-model = "j2-logarithmic"
-young = "117 GPa"
-poisson = 0.35
-density = 8930
-yield = "0.4 GPa"
-hardening = "0.1 GPa"
-)";
+using testing::copper, testing::shown;
 
 /// Every particle moves as F(t) X says, with turning and turning back: no proportional path.
 Scene driven(const std::string& integrator, const std::string& layout) {
@@ -49,12 +42,6 @@ Mat<3> gradient_at(double t) {
   F(1, 0) += 0.02 * std::sin(4e5 * t);
   F(1, 1) -= 0.01 * std::sin(3e5 * t);
   return F;
-}
-
-const std::vector<double>& shown(const Snapshot<2>& snapshot, const std::string& name) {
-  for (const NamedValues& more : snapshot.more)
-    if (more.name == name) return more.values;
-  throw std::runtime_error("no " + name);
 }
 
 TEST(PlasticBody, HasTheStressOfAPointThatIsLedByItsSteps) {

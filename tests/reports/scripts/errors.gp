@@ -48,7 +48,7 @@ $s2 << EOD
 EOD
 plot $s0 using 1:3:4 with filledcurves lc rgb "#0072b2" fs transparent solid 0.18 noborder notitle, \
      $s0 using 1:2 with linespoints lw 1.8 dt solid pt 7 ps 0.55 lc rgb "#0072b2" title "W1, improved", \
-     $s1 using 1:2 with points pt 5 ps 0.55 lc rgb "#d55e00" title "W0", \
+     $s1 using 1:2 with points pt 4 ps 0.55 lc rgb "#d55e00" title "W0", \
      $s2 using 1:2 with lines lw 1.8 dt (9,4) lc rgb "#009e73" title "W0, standard"
 unset output
 set encoding utf8
@@ -101,6 +101,6 @@ $s2 << EOD
 EOD
 plot $s0 using 1:3:4 with filledcurves lc rgb "#0072b2" fs transparent solid 0.18 noborder notitle, \
      $s0 using 1:2 with linespoints lw 1.8 dt solid pt 7 ps 0.55 lc rgb "#0072b2" title "W1, improved", \
-     $s1 using 1:2 with points pt 5 ps 0.55 lc rgb "#d55e00" title "W0", \
+     $s1 using 1:2 with points pt 4 ps 0.55 lc rgb "#d55e00" title "W0", \
      $s2 using 1:2 with lines lw 1.8 dt (9,4) lc rgb "#009e73" title "W0, standard"
 unset output

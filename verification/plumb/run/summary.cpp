@@ -167,8 +167,9 @@ Json summary(const FinishedRun<d>& run) {
   json["probes"] = probes_json(run);
   json["failure"] = failure_json(run.result.failure);
   if (run.result.failure)
-    json["failure"]["likely_cause"] =
-        run.tlsph ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first) : "";
+    json["failure"]["likely_cause"] = run.tlsph && run.scene.method.scheme == "tlsph"
+                                          ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first)
+                                          : "";
   json["timing"] = {{"setup_s", run.record.setup_s},
                     {"wall_s", run.record.wall_s},
                     {"cpu_s", run.record.cpu_s},

@@ -71,8 +71,9 @@ std::string summary_text(const FinishedRun<d>& run) {
     text += fmt::format("  residual {:.3g} of the forces of loads and supports\n", *run.result.residual);
   if (run.result.failure) {
     text += failure_text(*run.result.failure);
-    const std::string cause =
-        run.tlsph ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first) : std::string();
+    const std::string cause = run.tlsph && run.scene.method.scheme == "tlsph"
+                                  ? likely_cause<d>(run.scene, *run.tlsph, run.result.dt.first)
+                                  : std::string();
     if (!cause.empty())
       text +=
           "  likely cause: " + wrapped(cause, static_cast<std::size_t>(terminal_columns(1)), 16, 2) + "\n";

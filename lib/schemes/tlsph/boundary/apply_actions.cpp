@@ -102,12 +102,11 @@ std::shared_ptr<Loads<d>> make_loads(const Solid<d>& solid, const Actions<d>& ac
     std::vector<LoadedPlace<d>>().swap(load.places);  // they are in the entries
   for (std::size_t n = 0; n < actions.surface.size(); ++n)
     for (const LoadedPlace<d>& place : actions.surface[n].places) {
-      const double area = place.area.norm();
       SurfaceEntry<d> entry{solid.bonds.slots.of(place.particle),
                             n,
                             place.at,
-                            place.area / area,
-                            area / solid.cloud.V[place.particle],
+                            place.normal(),
+                            place.size() / solid.cloud.V[place.particle],
                             Vec<d>::Zero()};
       if (actions.surface[n].steady) entry.steady_value = made->value(entry, 0);
       made->surface.push_back(entry);

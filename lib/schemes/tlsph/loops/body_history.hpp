@@ -18,6 +18,11 @@ struct BodyHistory {
   std::function<void(const BondTable<d>&, const Field& u, const Block&)> commit;
   /// Gives the first Piola-Kirchhoff stress [Pa] of a slot at its committed history.
   std::function<Mat<3>(const Mat<3>& F, Index slot)> first_piola;
+  /// Sums over the slots of a block the potentials [J] of the increment from the committed history, of which the stress is the
+  /// first derivative.
+  std::function<double(const BondTable<d>&, const Field& u, const Block&, const double* volume)> potential;
+  /// Gives the second derivative of that of one slot [Pa].
+  std::function<Tangent<d>(const Mat<d>& F, Index slot)> tangent;
 
   const HistoryValue& plastic_work() const { return values.back(); }
   int components() const { return plastic_work().first + 1; }

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "lib/material/history.hpp"
+#include "lib/material/tangent.hpp"
 #include "lib/schemes/tlsph/bonds/mirror_bonds.hpp"
 #include "lib/schemes/tlsph/loops/body_history.hpp"
 #include "lib/schemes/tlsph/loops/lattice_sweeps.hpp"
@@ -33,6 +34,12 @@ void for_gradients(const Gradient& gradient, const BondTable<d>& bonds, const Fi
   }
 }
 
+/// dP/dF of an increment from that history, in d dimensions.
+template <int d, HistoryLaw M>
+Tangent<d> increment_tangent(const M& law, const Mat<d>& F, const typename M::History& before) {
+  return part_in<d>(law.tangent(with_unit_thickness<d>(F), before));
+}
+
 template <int d, HistoryLaw M>
 std::shared_ptr<BodyHistory<d>> make_history(const M& law, const BondTable<d>& bonds) {
   using History = typename M::History;
@@ -47,6 +54,11 @@ std::shared_ptr<BodyHistory<d>> make_history(const M& law, const BondTable<d>& b
     History history;
     load_history(history, memory->field, slot);
     return law.stress(F, history).P;
+  };
+  kept->tangent = [law, memory = kept.get()](const Mat<d>& F, Index slot) {
+    History history;
+    load_history(history, memory->field, slot);
+    return increment_tangent<d>(law, F, history);
   };
   return kept;
 }
@@ -77,17 +89,22 @@ void add_history_loops(Sweeps<d>& s, const M& law, const BondTable<d>& all, cons
     });
     return sound;
   };
-  s.energy = [law, kept, gradient](const BondTable<d>& bonds, const Field& u, const Block& block,
-                                   const double* volume) {
-    double sum = 0;
-    for_gradients<d, W>(gradient, bonds, u, block, [&](Index slot, const Mat<d>& F) {
-      if (volume[slot] == 0) return;
-      History history;
-      load_history(history, kept->field, slot);
-      sum += volume[slot] * law.energy(with_unit_thickness<d>(F), history);
-    });
-    return sum;
+  const auto sum_of = [memory = kept.get(), gradient](const auto& density) {
+    return [memory, gradient, density](const BondTable<d>& bonds, const Field& u, const Block& block,
+                                       const double* volume) {
+      double sum = 0;
+      for_gradients<d, W>(gradient, bonds, u, block, [&](Index slot, const Mat<d>& F) {
+        if (volume[slot] == 0) return;
+        History history;
+        load_history(history, memory->field, slot);
+        sum += volume[slot] * density(with_unit_thickness<d>(F), history);
+      });
+      return sum;
+    };
   };
+  s.energy = sum_of([law](const Mat<3>& F, const History& history) { return law.energy(F, history); });
+  kept->potential =
+      sum_of([law](const Mat<3>& F, const History& history) { return law.potential(F, history); });
   kept->commit = [law, memory = kept.get(), gradient](const BondTable<d>& bonds, const Field& u,
                                                       const Block& block) {
     const int work = memory->plastic_work().first;
@@ -99,13 +116,7 @@ void add_history_loops(Sweeps<d>& s, const M& law, const BondTable<d>& all, cons
       store_history(history, memory->field, slot);
     });
   };
-  s.tangent = [law](const Mat<d>& F) {
-    const Mat<9> whole = law.tangent(with_unit_thickness<d>(F), History());
-    Tangent<d> plane;
-    for (int m = 0; m < d * d; ++m)
-      for (int n = 0; n < d * d; ++n) plane(m, n) = whole(m / d * 3 + m % d, n / d * 3 + n % d);
-    return plane;
-  };
+  s.tangent = [law](const Mat<d>& F) { return increment_tangent<d>(law, F, History()); };
 }
 
 /// The loops of law M that fit the table.

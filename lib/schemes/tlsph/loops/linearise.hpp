@@ -26,8 +26,18 @@ struct LinearOperators {
   Eigen::VectorXd identity;  ///< what the table makes of the reference: I for every consistent estimator
   SparseMatrix gradient;     ///< G [1/m]: F = identity + G u
   SparseMatrix force;        ///< D [m^(d-1)]: P -> minus the force on every particle
-  SparseMatrix terms;        ///< stiffness of the terms [N/m]; their energies are quadratic
+  SparseMatrix
+      terms;  ///< stiffness of the terms [N/m] between particles, the same for every component; their energies are quadratic
 };
+/// The matrix that is such a one for each component.
+SparseMatrix per_component(const SparseMatrix& between_particles, int components);
+/// Its product with a vector of d components per particle.
+template <int d>
+Eigen::VectorXd component_product(const SparseMatrix& between_particles, const Eigen::VectorXd& v) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, d, d == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+  const Rows product = between_particles * Eigen::Map<const Rows>(v.data(), v.size() / d, d);
+  return Eigen::Map<const Eigen::VectorXd>(product.data(), v.size());
+}
 template <int d>
 LinearOperators linear_operators(const Solid<d>& solid);
 

@@ -33,11 +33,8 @@ struct Instant {
   const std::vector<Term<d>>& terms;  ///< those that act
 };
 
-/// One entry of a stiffness matrix [N/m]; rows and columns are d x particle + component.
-struct StiffnessEntry {
-  Index row, column;
-  double value;
-};
+/// Takes a part of the stiffness between two particles [N/m], which is the same for every component.
+using AddStiffness = std::function<void(Index particle, Index other, double value)>;
 
 /// Displacement of the point at which the force on a slot acts in the change of sum m x (x-product) v over a
 /// step [m], THEORY (5.5). Empty: where the slot is.
@@ -71,7 +68,7 @@ struct Term {
   /// Potential energy of the term [J]; empty: it has none (dissipation, supports).
   std::function<double(const Solid<d>&, const State<d>&)> energy;
   /// Adds -dforce/du x volume at the reference state (linearise.hpp); empty: the term has no stiffness.
-  std::function<void(const Solid<d>&, std::vector<StiffnessEntry>&)> stiffness;
+  std::function<void(const Solid<d>&, const AddStiffness&)> stiffness;
 };
 
 /// dP_ab/dF_ce [Pa] at row a d + b, column c d + e.

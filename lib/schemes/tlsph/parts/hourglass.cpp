@@ -143,8 +143,8 @@ Term<d> hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, dou
     set_functions<d, 1>(term, k, partial);
   else
     set_functions<d, native_width>(term, k, partial);
-  term.stiffness = [k](const Solid<d>& body, std::vector<StiffnessEntry>& entries) {
-    add_hourglass_stiffness(body, *k, entries);
+  term.stiffness = [k](const Solid<d>& body, const AddStiffness& add) {
+    add_hourglass_stiffness(body, *k, add);
   };
   return term;
 }

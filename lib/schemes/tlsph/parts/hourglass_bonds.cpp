@@ -36,8 +36,7 @@ HourglassBonds hourglass_bonds(const Solid<d>& solid, const RadialKernel<d>& ker
 /// With u_ij - G_i X_ij = sum_m D_jm u_m over the particle and its neighbours, K_i = sum_j k_ij D_j^T D_j in
 /// each component.
 template <int d>
-void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
-                             std::vector<StiffnessEntry>& entries) {
+void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k, const AddStiffness& add) {
   const BondTable<d>& t = solid.bonds;
   std::vector<Index> particle(t.slots.count(), -1);
   for (Index p = 0; p < solid.cloud.size(); ++p) particle[t.slots.of(p)] = p;
@@ -60,19 +59,15 @@ void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
     const Eigen::MatrixXd K =
         D.transpose() * Eigen::Map<const Eigen::VectorXd>(springs.data(), n).asDiagonal() * D;
     for (Index a = 0; a <= n; ++a)
-      for (Index b = 0; b <= n; ++b)
-        for (int e = 0; e < d; ++e) entries.push_back({d * unknown[a] + e, d * unknown[b] + e, K(a, b)});
+      for (Index b = 0; b <= n; ++b) add(unknown[a], unknown[b], K(a, b));
   }
 }
 
 template HourglassBonds hourglass_bonds<1>(const Solid<1>&, const RadialKernel<1>&, double);
 template HourglassBonds hourglass_bonds<2>(const Solid<2>&, const RadialKernel<2>&, double);
 template HourglassBonds hourglass_bonds<3>(const Solid<3>&, const RadialKernel<3>&, double);
-template void add_hourglass_stiffness<1>(const Solid<1>&, const HourglassBonds&,
-                                         std::vector<StiffnessEntry>&);
-template void add_hourglass_stiffness<2>(const Solid<2>&, const HourglassBonds&,
-                                         std::vector<StiffnessEntry>&);
-template void add_hourglass_stiffness<3>(const Solid<3>&, const HourglassBonds&,
-                                         std::vector<StiffnessEntry>&);
+template void add_hourglass_stiffness<1>(const Solid<1>&, const HourglassBonds&, const AddStiffness&);
+template void add_hourglass_stiffness<2>(const Solid<2>&, const HourglassBonds&, const AddStiffness&);
+template void add_hourglass_stiffness<3>(const Solid<3>&, const HourglassBonds&, const AddStiffness&);
 
 }  // namespace plumb

@@ -19,7 +19,6 @@ HourglassBonds hourglass_bonds(const Solid<d>& solid, const RadialKernel<d>& ker
 
 /// Second derivatives of the hourglass energy; the same at every state, for it is quadratic.
 template <int d>
-void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k,
-                             std::vector<StiffnessEntry>& entries);
+void add_hourglass_stiffness(const Solid<d>& solid, const HourglassBonds& k, const AddStiffness& add);
 
 }  // namespace plumb

@@ -144,7 +144,7 @@ double energy_of_block(const Solid<d>& solid, const SlopeBonds<d>& bonds, const 
 /// K_i = sum_j k_ij (1_j - 1_i)(1_j - 1_i)^T - B^T A^-1 B, B = sum_j k_ij X_ij (1_j - 1_i)^T, A = sum k X (x)
 /// X.
 template <int d>
-void add_stiffness(const Solid<d>& solid, const SlopeBonds<d>& bonds, std::vector<StiffnessEntry>& entries) {
+void add_stiffness(const Solid<d>& solid, const SlopeBonds<d>& bonds, const AddStiffness& add) {
   const BondTable<d>& t = solid.bonds;
   std::vector<Index> particle(t.slots.count(), -1);
   for (Index p = 0; p < solid.cloud.size(); ++p) particle[t.slots.of(p)] = p;
@@ -173,9 +173,7 @@ void add_stiffness(const Solid<d>& solid, const SlopeBonds<d>& bonds, std::vecto
     for (int m = 0; m < d * d; ++m) inverse(m / d, m % d) = bonds.inverse[m][t.slots.of(p)];
     K -= B.transpose() * inverse * B;
     for (Index a = 0; a <= n; ++a)
-      for (Index b = 0; b <= n; ++b)
-        for (int e = 0; e < d; ++e)
-          entries.push_back({d * node[a] + e, d * node[b] + e, 0.5 * (K(a, b) + K(b, a))});
+      for (Index b = 0; b <= n; ++b) add(node[a], node[b], 0.5 * (K(a, b) + K(b, a)));
   }
 }
 
@@ -210,8 +208,8 @@ Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kerne
     set_functions<d, 1>(term, bonds, gradient, partial);
   else
     set_functions<d, native_width>(term, bonds, gradient, partial);
-  term.stiffness = [bonds](const Solid<d>& body, std::vector<StiffnessEntry>& entries) {
-    add_stiffness(body, *bonds, entries);
+  term.stiffness = [bonds](const Solid<d>& body, const AddStiffness& add) {
+    add_stiffness(body, *bonds, add);
   };
   return term;
 }
