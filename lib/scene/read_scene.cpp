@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "lib/scene/readers.hpp"
+#include "lib/scene/walls_of_scene.hpp"
 
 namespace plumb {
 namespace {
@@ -82,7 +83,7 @@ void refuse_restless(const Section& root, const Scene& scene) {
     section.fail("", "contradicts balance = \"printed\"",
                  "its forces belong to the middle of a step, and none are known of a body at rest",
                  "use [updated] balance = \"conservative\"");
-  if (scene.boundaries.empty() && !scene.load)
+  if (scene.boundaries.empty() && scene.contacts.empty() && !scene.load)
     section.fail("", "nothing holds or loads the body", "the residual is relative to those forces",
                  "add [[boundary]] or [load]");
   if (scene.output && scene.output->budget)
@@ -98,7 +99,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
   const Section root(document, "");
   for (const char* name :
-       {"scene", "body", "material", "load", "initial", "boundary", "relaxation", "output"})
+       {"scene", "body", "material", "load", "initial", "boundary", "contact", "relaxation", "output"})
     root.has(name);
   for (const auto& name : method_sections()) root.has(name);
   if (!root.has("scene") && root.has("study"))
@@ -128,11 +129,13 @@ Scene parse_scene(const std::string& text, const std::string& file_name,
   scene.initial = read_initial(root, scene.dimension);
   refuse_temperature(root, scene);
   scene.boundaries = read_boundaries(root, scene.dimension);
+  scene.contacts = read_contacts(root, scene.dimension);
   refuse_following_pressure(root, scene);
   scene.relaxation = read_relaxation(root);
   scene.output = read_output(root, scene.body);
   if (scene.relaxation) refuse_restless(root, scene);
   refuse_endless_output(root, scene);
+  refuse_walls(root, scene);
   refuse_budget_of_another(root, scene);
   refuse_beside_mirror(root, scene.body.layout, scene.method);
   refuse_pointless_mirror(root, scene);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/actions/contact_options.hpp"
 #include "lib/actions/load_options.hpp"
 #include "lib/actions/relaxation_options.hpp"
 #include "lib/geometry/shape.hpp"
@@ -181,6 +182,7 @@ struct Scene {
   std::optional<LoadOptions> load;  ///< [load]; absent: no body forces
   std::optional<Initial> initial;   ///< absent: at rest
   std::vector<Boundary> boundaries;
+  std::vector<ContactOptions> contacts;         ///< [[contact]]; empty: no walls
   std::optional<RelaxationOptions> relaxation;  ///< absent: the run ends at its time, at rest or not
   std::optional<Output> output;                 ///< absent: the summary only
 };

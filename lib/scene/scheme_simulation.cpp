@@ -6,6 +6,7 @@
 #include "lib/scene/go_implicitly.hpp"
 #include "lib/scene/initial_motion.hpp"
 #include "lib/scene/tlsph.hpp"
+#include "lib/scene/walls_of_scene.hpp"
 #include "lib/schemes/element/element.hpp"
 #include "lib/schemes/eulerian/eulerian.hpp"
 #include "lib/schemes/mixed/mixed.hpp"
@@ -46,13 +47,13 @@ Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
     throw InputError("layout = \"mirror\" contradicts scheme = \"" + name + "\"",
                      "its sums have no images behind a roller", "use layout = \"node\" or \"cell\"");
   if (name == Updated<d>::name)
-    return as_simulation<d>(
-        Updated<d>(std::move(specimen), scene.method.updated, start.actions, damping_of(scene)), start.motion,
-        control);
+    return as_simulation<d>(Updated<d>(std::move(specimen), scene.method.updated, start.actions,
+                                       damping_of(scene), std::move(start.walls)),
+                            start.motion, control);
   if (name == Eulerian<d>::name)
-    return as_simulation<d>(
-        Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions, damping_of(scene)),
-        start.motion, control);
+    return as_simulation<d>(Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions,
+                                        damping_of(scene), std::move(start.walls)),
+                            start.motion, control);
   if (scene.method.scheme == "element")
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
   return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions, damping_of(scene)),
@@ -70,10 +71,13 @@ Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
   const bool works = does_work(start.actions);
   Simulation<d> simulation = simulation_of(scene, std::move(start));
   if (!simulation.external_work && works) simulation.has_other_work = true;
-  if (scene.method.damping)
-    simulation.account = [account = simulation.account, said = scene.method.damping->in_words()] {
+  std::vector<Statement> more;
+  if (scene.method.damping) more.push_back({"damping", scene.method.damping->in_words(), "THEORY (6.7)"});
+  for (const ContactOptions& contact : scene.contacts) more.push_back(said_of(contact, scene.material));
+  if (!more.empty())
+    simulation.account = [account = simulation.account, more] {
       auto all = account();
-      all.push_back({"damping", said, "THEORY (6.7)"});
+      all.insert(all.end(), more.begin(), more.end());
       return all;
     };
   return simulation;
@@ -87,6 +91,7 @@ Simulation<d> make_scheme_simulation(const Scene& scene) {
   start.actions = actions_of_scene<d>(start.cloud, scene, facets, time_scale);
   refuse_contradictions<d>(start.cloud, start.actions, time_scale);
   start.motion = initial_motion<d>(scene, start.cloud);
+  start.walls = walls_of_scene<d>(scene);
   return make_scheme_simulation<d>(scene, std::move(start));
 }
 

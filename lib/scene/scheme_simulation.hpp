@@ -4,16 +4,18 @@
 
 #include "lib/run/simulation.hpp"
 #include "lib/scene/scene.hpp"
+#include "lib/schemes/contact.hpp"
 
 /// Schemes of the room `schemes` in the harness, by the name in [method].
 namespace plumb {
 
-/// What a scheme starts from: particles, what acts on them, and how they move at first.
+/// What a scheme starts from: particles, what acts on them, how they move at first, and what they may touch.
 template <int d>
 struct SchemeStart {
   Cloud<d> cloud;
   Actions<d> actions;
   InitialMotion<d> motion;
+  std::vector<RigidWall<d>> walls = {};
 };
 
 /// Says that the scheme of that name works on a body of its own (all but "tlsph" do).

@@ -117,7 +117,7 @@ TEST(WorkInTheSummary, OfOtherSchemesIsTheChangeOfTheEnergy) {
   const SceneFolder folder(
       plate("[[boundary]]\nface = \"x+\"\nkind = \"traction\"\ntraction = [\"2e4\", \"0\"]\n"
             "[[boundary]]\nface = \"x-\"\nkind = \"clamped\"\n[damping]\nrate = 40\n"));
-  for (const std::string scheme : {"mixed", "updated", "element"}) {
+  for (const std::string scheme : {"mixed", "updated", "eulerian", "element"}) {
     ASSERT_EQ(folder.run(scheme, "--set method.scheme=" + scheme + " --set method.time_step=2e-5").code, 0)
         << scheme;
     const json e = folder.summary(scheme)["energy"];

@@ -68,18 +68,21 @@ Json energy_json(const FinishedRun<d>& run) {
   const double round_off = simulation.energy_round_off ? simulation.energy_round_off() : 0;
   Json terms = Json::object();
   for (const auto& [name, value] : energy.terms) terms[name] = value;
-  return {{"kinetic", energy.kinetic},
-          {"strain", energy.strain},
-          {"total", energy.total},
-          {"initial", energy.initial},
-          // A body at rest has no energy to compare with.
-          {"relative_change", energy.initial > round_off ? Json(energy.total / energy.initial - 1) : Json()},
-          {"terms", terms},
-          {"dissipated", number_or_null(energy.dissipated)},
-          {"load_work", number_or_null(energy.load_work)},
-          {"damping_work", number_or_null(energy.damping_work)},
-          {"support_work", number_or_null(energy.support_work)},
-          {"net_change", number_or_null(energy.net_change)}};
+  Json json = {
+      {"kinetic", energy.kinetic},
+      {"strain", energy.strain},
+      {"total", energy.total},
+      {"initial", energy.initial},
+      // A body at rest has no energy to compare with.
+      {"relative_change", energy.initial > round_off ? Json(energy.total / energy.initial - 1) : Json()},
+      {"terms", terms},
+      {"dissipated", number_or_null(energy.dissipated)},
+      {"load_work", number_or_null(energy.load_work)},
+      {"damping_work", number_or_null(energy.damping_work)},
+      {"support_work", number_or_null(energy.support_work)},
+      {"net_change", number_or_null(energy.net_change)}};
+  if (energy.contact_work) json["contact_work"] = *energy.contact_work;
+  return json;
 }
 
 template <int d>
@@ -111,9 +114,7 @@ EnergyBudget energy_budget(const FinishedRun<d>& run) {
     budget.load_work = budget.damping_work = budget.support_work = 0;
     for (const auto& [action, done] : simulation.external_work()) {
       budget.at_work.push_back(action);
-      (action == "loads"     ? budget.load_work
-       : action == "damping" ? budget.damping_work
-                             : budget.support_work) = done;
+      budget.work_of(action) = done;
       scale += std::abs(done);
     }
   }

@@ -28,16 +28,13 @@ std::string failure_text(const Failure& failure) {
 template <int d>
 std::string energy_text(const FinishedRun<d>& run) {
   const char* unit = BodyUnits<d>::energy;
-  const EnergyBudget energy = energy_budget(run);
+  EnergyBudget energy = energy_budget(run);
   std::string text = fmt::format("  energy {:.9g} {} = kinetic {:.9g} + strain {:.9g}", energy.total, unit,
                                  energy.kinetic, energy.strain);
   for (const auto& [name, value] : energy.terms) text += fmt::format(" + {} {:.9g}", name, value);
   text += fmt::format("\n  at the start {:.9g} {}", energy.initial, unit);
   for (const std::string& action : energy.at_work) {
-    const double done = (action == "loads"     ? energy.load_work
-                         : action == "damping" ? energy.damping_work
-                                               : energy.support_work)
-                            .value();
+    const double done = energy.work_of(action).value();
     text +=
         fmt::format(", work of {}{} {:.9g} {}", action == "supports" ? "moving " : "", action, done, unit);
   }
