@@ -37,12 +37,12 @@ struct Press {
   double slope;  ///< [N/m], likewise
 };
 
-/// Hertz's force of a sphere of that radius on a plane, (19.1); of a cylinder per metre in 2D, of a layer in 1D. `overlap`
+/// Hertz's force of a sphere of that radius on a plane, THEORY (19.1); of a cylinder per metre in 2D, of a layer in 1D. `overlap`
 /// > 0 [m].
 template <int d>
 Press press_of(double modulus, double radius, double overlap);
 
-/// What walls do to the particles of a body. (19.1), (19.2)
+/// What walls do to the particles of a body. THEORY (19.1), (19.2)
 template <int d>
 class Contact {
  public:
