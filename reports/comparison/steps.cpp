@@ -16,7 +16,7 @@ std::string trouble(const Json& summary, double energy_within) {
     return fmt::format("{} at {:.3g} s", text(summary.at("failure"), "cause"),
                        number(summary.at("failure"), "time"));
   const double change = number(summary.at("energy"), "relative_change");
-  return change <= energy_within ? "" : fmt::format("its energy changes by {:.3g} %", 100 * change);
+  return std::abs(change) <= energy_within ? "" : fmt::format("its energy changes by {:.3g} %", 100 * change);
 }
 
 }  // namespace
