@@ -390,7 +390,7 @@ inline Json Invention::run(const Words& w) {
   const bool of_spacing = w.at("file").starts_with("cantilever") && w.contains("body.spacing");
   const double particles = of_spacing ? std::round(64 / std::pow(std::stod(w.at("body.spacing")), 3)) : 64;
   const auto made = start_row();
-  made->numbers["particles"] = particles;
+  made->numbers["n"] = particles;
   const auto get = [&](const char* column) { return invent(made, column); };
   double cpu = 0;
   const auto with_cpu = [&](const char* column, double times) {  // two more numbers that no other job has
