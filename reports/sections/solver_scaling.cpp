@@ -154,7 +154,7 @@ SectionPlan solver_scaling(bool long_run) {
   for (const Way& way : ways())
     for (const auto& spacing : spacings(long_run)) {
       Job job{id_of(way, spacing),
-              {"run", way.file, "--threads", "1", "--out", "{out}", "--set", "body.spacing=" + spacing},
+              {"run", way.file, "--out", "{out}", "--set", "body.spacing=" + spacing},
               {way.file}};
       for (const auto& set : way.set) job.arguments.insert(job.arguments.end(), {"--set", set});
       plan.jobs.push_back(std::move(job));
