@@ -124,7 +124,7 @@ TEST(TwoLevel, IsSymmetricAndPositive) {
 TEST(TwoLevel, IterationsDoNotGrowWithTheCloud) {
   const int coarse = iterations_of(sheared_plate(0.05, 1)), middle = iterations_of(sheared_plate(0.025, 1)),
             fine = iterations_of(sheared_plate(0.0125, 1));
-  EXPECT_LE(coarse, 25);
+  EXPECT_LE(coarse, 10);  // they are 7
   EXPECT_LE(middle, 1.5 * coarse);
   EXPECT_LE(fine, 1.5 * coarse);
 }
@@ -172,7 +172,7 @@ TEST(TwoLevel, NewtonsMethodStaysQuadratic) {
   for (std::size_t n = 0; n + 1 < found.residuals.size(); ++n) {
     const double now = found.residuals[n], next = found.residuals[n + 1];
     if (now > 1e-2 || next < 1e-11) continue;
-    EXPECT_GT(std::log(next) / std::log(now), 1.6) << now << " " << next;
+    EXPECT_GT(std::log(next) / std::log(now), 1.8) << now << " " << next;
     ++judged;
   }
   EXPECT_GE(judged, 1);
