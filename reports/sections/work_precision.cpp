@@ -37,7 +37,7 @@ Job job_of(const Comparison& comparison, bool long_run) {
   Job job{comparison.id,
           {"mms", file, "--work-precision", "--repeats", "3", "--set",
            long_run ? "study.spacings=[0.2,0.1,0.05,0.025,0.0125]" : "study.spacings=[0.2,0.1,0.05]", "--set",
-           "study.quadrature=nodal", "--set", "study.periods=0.125", "--set", "method.integrator=verlet"},
+           "study.periods=0.125", "--set", "method.integrator=verlet"},
           {file}};
   for (const auto& axis : comparison.vary) {
     job.arguments.emplace_back("--vary");
