@@ -157,7 +157,12 @@ Job evidence_job(const Problem& problem, const Choice& cloud, const Choice& sche
           {problem.command, problem.file},
           {problem.file}};
   for (const auto* set : {&problem.set, &cloud.set, &scheme.set})
-    for (const auto& entry : *set) job.arguments.insert(job.arguments.end(), {"--set", entry});
+    for (const auto& entry : *set) {
+      // nothing is stepped in a static study, which refuses to be told how
+      const bool of_steps = entry.starts_with("method.integrator=") || entry.starts_with("jst.");
+      if (!of_steps || problem.command != "static")
+        job.arguments.insert(job.arguments.end(), {"--set", entry});
+    }
   return job;
 }
 
