@@ -91,7 +91,7 @@ Simulation<d> make_scheme_simulation(const Scene& scene) {
   start.actions = actions_of_scene<d>(start.cloud, scene, facets, time_scale);
   refuse_contradictions<d>(start.cloud, start.actions, time_scale);
   start.motion = initial_motion<d>(scene, start.cloud);
-  start.walls = walls_of_scene<d>(scene);
+  start.walls = walls_of_scene<d>(scene, start.cloud.spacing);
   return make_scheme_simulation<d>(scene, std::move(start));
 }
 

@@ -133,7 +133,7 @@ Statement said_of(const ContactOptions& contact, const MaterialChoice& material)
 }
 
 template <int d>
-std::vector<RigidWall<d>> walls_of_scene(const Scene& scene) {
+std::vector<RigidWall<d>> walls_of_scene(const Scene& scene, double spacing) {
   std::vector<RigidWall<d>> walls;
   for (const ContactOptions& contact : scene.contacts) {
     RigidWall<d> wall;
@@ -147,14 +147,14 @@ std::vector<RigidWall<d>> walls_of_scene(const Scene& scene) {
       };
     wall.modulus = modulus_of(contact, scene.material);
     wall.friction = contact.friction;
-    wall.reach = scene.body.layout == Layout::node ? 0 : scene.body.spacing.value_or(0) / 2;
+    wall.reach = scene.body.layout == Layout::node ? 0 : spacing / 2;
     walls.push_back(std::move(wall));
   }
   return walls;
 }
 
-template std::vector<RigidWall<1>> walls_of_scene<1>(const Scene&);
-template std::vector<RigidWall<2>> walls_of_scene<2>(const Scene&);
-template std::vector<RigidWall<3>> walls_of_scene<3>(const Scene&);
+template std::vector<RigidWall<1>> walls_of_scene<1>(const Scene&, double);
+template std::vector<RigidWall<2>> walls_of_scene<2>(const Scene&, double);
+template std::vector<RigidWall<3>> walls_of_scene<3>(const Scene&, double);
 
 }  // namespace plumb

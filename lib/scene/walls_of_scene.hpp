@@ -18,8 +18,8 @@ void refuse_walls(const Section& root, const Scene& scene);
 Statement said_of(const ContactOptions& contact, const MaterialChoice& material);
 
 /// The walls of a scene, with the stiffness of its material where they have none of their own. Particles of node layouts
-/// lie on the surface of their body, others half a spacing within it.
+/// lie on the surface of their body, others half a spacing [m] within it.
 template <int d>
-std::vector<RigidWall<d>> walls_of_scene(const Scene& scene);
+std::vector<RigidWall<d>> walls_of_scene(const Scene& scene, double spacing);
 
 }  // namespace plumb
