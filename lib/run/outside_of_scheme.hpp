@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "lib/run/scheme_budget.hpp"
 #include "lib/run/simulation.hpp"
 #include "lib/schemes/rest.hpp"
 
@@ -52,6 +53,27 @@ void look_for_rest(Simulation<d>& simulation, const std::shared_ptr<Moving>& mov
   };
 }
 
+/// Where the body stands, as its budget sees it.
+template <int d, class Moving>
+Standing<d> standing_of(Moving& moving) {
+  auto& [scheme, state, places] = moving;
+  Snapshot<d> shown = scheme.snapshot(state);
+  const Energy energy = scheme.energy(state);
+  return {state.time,         state.step,    std::move(shown.x),
+          std::move(shown.v), state.outside, energy.total() - energy.kinetic + energy.dissipated.value_or(0)};
+}
+
+template <int d, class Moving>
+void give_budget(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
+  const auto budget = std::make_shared<std::optional<SchemeBudget<d>>>();
+  simulation.keep_budget = [moving, budget](const std::filesystem::path& file) {
+    budget->emplace(file, moving->scheme.outside(), moving->places, standing_of<d>(*moving));
+  };
+  simulation.close_step = [moving, budget](bool sound) {
+    if (sound && *budget) (*budget)->close_step(moving->scheme.outside(), standing_of<d>(*moving));
+  };
+}
+
 /// What a scheme says of loads, damping and supports that has
 ///   const OutsideForces<d>& outside() const;                     with their work as state.outside,
 ///   std::optional<OpenAcceleration> open(state, bool still);     at velocity zero if it is still, and
@@ -59,6 +81,7 @@ void look_for_rest(Simulation<d>& simulation, const std::shared_ptr<Moving>& mov
 template <int d, class Moving>
 void give_outside(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
   simulation.external_work = [moving] { return moving->scheme.outside().named(moving->state.outside); };
+  give_budget<d>(simulation, moving);
   if (!opens(moving->scheme)) return;
   if (!moving->scheme.outside().no_reactions().empty()) give_reactions<d>(simulation, moving);
   if (simulation.control.rest) look_for_rest<d>(simulation, moving);

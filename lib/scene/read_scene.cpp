@@ -34,13 +34,15 @@ void refuse_endless_output(const Section& root, const Scene& scene) {
                                   fmt::format("at most {:.0g}", most_rows), "check the units");
 }
 
-/// The account of what changed momenta and energy is kept by the terms of one scheme.
+/// The account of what changed momenta and energy is kept of explicit steps.
 void refuse_budget_of_another(const Section& root, const Scene& scene) {
-  if (scene.output && scene.output->budget && scene.method.scheme != "tlsph")
-    root.section("output").fail("budget", fmt::format("contradicts scheme = \"{}\"", scene.method.scheme),
-                                "only scheme = \"tlsph\" keeps such an account",
-                                "leave it out, or use scheme = \"tlsph\"");
-  if (scene.output && scene.output->budget && has_history(scene.material.model))
+  if (!scene.output || !scene.output->budget) return;
+  const Method& method = scene.method;
+  if (method.scheme == "implicit" || (method.scheme == "element" && method.element.by_newton()))
+    root.section("output").fail("budget", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                                "an account is kept of explicit steps only",
+                                "leave it out, or use a scheme that steps explicitly");
+  if (method.scheme == "tlsph" && has_history(scene.material.model))
     root.section("output").fail("budget", fmt::format("contradicts model = \"{}\"", scene.material.model),
                                 "it would take plastic work for that of the integrator", "leave it out");
 }

@@ -1,8 +1,10 @@
 #include "lib/schemes/outside.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -50,21 +52,28 @@ OutsideForces<d>::OutsideForces(const Actions<d>& actions, const Cloud<d>& cloud
   for (Held<d>& boundary : boundaries_) std::vector<HeldPlace<d>>().swap(boundary.places);
   for (Index i = 0; i < cloud.size(); ++i)
     mass_[static_cast<std::size_t>(slots.of(i))] = medium.density * cloud.V[static_cast<std::size_t>(i)];
-  if (loaded_) loads_ = by_loads_ = Field(d, slots.count(), 0);
+  if (loaded_) loads_ = changes_.loads = Field(d, slots.count(), 0);
   if (moved_) by_others_.assign(held_.size(), 0.0);
 }
 
 template <int d>
 void OutsideForces<d>::touch(Contact<d> contact) {
   contact_ = std::move(contact);
-  if (!contact_.empty()) by_contact_ = Field(d, count(), 0);
+  if (!contact_.empty()) changes_.contact = Field(d, count(), 0);
+}
+
+template <int d>
+void OutsideForces<d>::follow_changes() {
+  followed_ = true;
+  changes_.own = Field(d, count(), 0);
 }
 
 template <int d>
 double OutsideForces<d>::work_of(const Field& change, const Field& v) const {
   double work = 0;
   for (int k = 0; k < change.components(); ++k)
-    for (Index i = 0; i < count(); ++i) work += mass_[i] * change[k][i] * 0.5 * (before_[k][i] + v[k][i]);
+    for (Index i = 0; i < count(); ++i)
+      work += mass_[i] * change[k][i] * 0.5 * (changes_.from[k][i] + v[k][i]);
   return work;
 }
 
@@ -103,10 +112,11 @@ void OutsideForces<d>::damp_half(double dt, Field& v, OutsideWork& work) const {
 template <int d>
 void OutsideForces<d>::begin_step(double dt, Field& v, OutsideWork& work) {
   damp_half(dt, v, work);
-  if (!loaded_ && !moved_ && contact_.empty()) return;
-  before_ = v;
-  clear(count(), by_loads_);
-  clear(count(), by_contact_);
+  if (!loaded_ && !moved_ && !followed_ && contact_.empty()) return;
+  changes_.from = v;
+  clear(count(), changes_.loads);
+  clear(count(), changes_.contact);
+  clear(count(), changes_.own);
   std::fill(by_others_.begin(), by_others_.end(), 0.0);
 }
 
@@ -120,11 +130,21 @@ void OutsideForces<d>::add_loads(double time, const Field* F, Field& v_rate) {
     for (Index i = 0; i < count(); ++i) loads_[k][i] += v_rate[k][i];
 }
 
+/// From the change by all forces: that by those that are not the body's own.
+template <int d>
+void OutsideForces<d>::subtract_others(double weight) {
+  for (const Field* others : std::array{&std::as_const(loads_), &contact_.acceleration()})
+    for (int k = 0; k < others->components(); ++k)
+      for (Index i = 0; i < count(); ++i) changes_.own[k][i] -= weight * (*others)[k][i];
+}
+
 template <int d>
 void OutsideForces<d>::hold(double time, double weight, const Field& v, Field& v_rate, Field& u_rate) {
   if (weight != 0) {
-    add(weight, loads_, count(), by_loads_);
-    add(weight, contact_.acceleration(), count(), by_contact_);
+    add(weight, loads_, count(), changes_.loads);
+    add(weight, contact_.acceleration(), count(), changes_.contact);
+    add(weight, v_rate, count(), changes_.own);
+    if (followed_) subtract_others(weight);
     for (std::size_t n = 0; n < by_others_.size(); ++n)
       by_others_[n] += weight * v_rate[held_[n].component][held_[n].slot];
   }
@@ -134,15 +154,16 @@ void OutsideForces<d>::hold(double time, double weight, const Field& v, Field& v
 template <int d>
 void OutsideForces<d>::end_step(double time, double dt, Field& u, Field& v, OutsideWork& work) {
   applied_.impose(time, u, v, false);
-  work.loads += work_of(by_loads_, v);
-  work.contact += work_of(by_contact_, v);
+  work.loads += work_of(changes_.loads, v);
+  work.contact += work_of(changes_.contact, v);
   double by_supports = 0;
   for (std::size_t n = 0; n < by_others_.size(); ++n) {
     const auto& [slot, component, boundary, at, moves] = held_[n];
-    const double from = before_[component][slot], to = v[component][slot];
+    const double from = changes_.from[component][slot], to = v[component][slot];
     by_supports += mass_[slot] * (to - from - by_others_[n]) * 0.5 * (from + to);
   }
   work.supports += by_supports;
+  if (followed_) changes_.to = v;
   damp_half(dt, v, work);
   if (work.rest_rate > 0) damp(std::expm1(-work.rest_rate * dt), v);
 }

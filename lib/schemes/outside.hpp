@@ -30,6 +30,13 @@ struct OpenAcceleration {
   Field loads;  ///< by the loads alone; no components without loads
 };
 
+/// What one step did to the velocities, cause by cause [m/s]. Fields of causes that a body has not are empty.
+struct StepChanges {
+  Field from, to;        ///< the velocity between the halves of the damping; `to` for a budget only
+  Field own;             ///< by the body's own forces; for a budget only
+  Field loads, contact;  ///< by the loads, by the walls
+};
+
 /// What acts on a body from outside (loads, walls, damping, supports) in a scheme that steps velocities, with its
 /// work. A step is begin_step(), some evaluations, end_step(); an evaluation is add_loads(), add_contact() where there are
 /// walls, and hold(). Loads, walls and supports do the work of THEORY (8.6); the damping is THEORY (6.7).
@@ -48,8 +55,13 @@ class OutsideForces {
   void touch(Contact<d> contact);
   const Contact<d>& contact() const { return contact_; }
 
+  /// Keeps also what a budget needs of each step; what changes() has then is that of the last one.
+  void follow_changes();
+  const StepChanges& changes() const { return changes_; }
+
   bool needs_F() const { return applied_.needs_F(); }  ///< some load is a pressure
   bool damps() const { return medium_.damping > 0; }
+  bool loads_body() const { return loaded_; }
   /// Puts held components where they are prescribed to be at the start.
   void start(Field& u, Field& v) const { applied_.impose(0, u, v, true); }
 
@@ -97,6 +109,7 @@ class OutsideForces {
   double damp(double change, Field& v) const;
   /// Of accelerations that have changed the velocities of this step by so much, up to v [J].
   double work_of(const Field& change, const Field& v) const;
+  void subtract_others(double weight);
   void damp_half(double dt, Field& v, OutsideWork& work) const;
 
   AppliedActions<d> applied_;
@@ -106,10 +119,10 @@ class OutsideForces {
   Medium medium_{1};
   Contact<d> contact_;
   bool loaded_ = false, moved_ = false;
+  bool followed_ = false;  ///< by a budget
   Field loads_;
-  // of the present step: velocity at its start, and its changes by loads, by walls and by all but the supports
-  Field before_, by_loads_, by_contact_;
-  std::vector<double> by_others_;  ///< per held component [m/s]
+  StepChanges changes_;            ///< of the present step
+  std::vector<double> by_others_;  ///< change by all but the supports, per held component [m/s]
 };
 
 }  // namespace plumb

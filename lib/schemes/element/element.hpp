@@ -66,6 +66,7 @@ class Element {
   NeighbourCounts neighbours() const { return neighbours_; }
   const ElementBody<d>& body() const { return body_; }
   const OutsideForces<d>& outside() const { return outside_; }
+  OutsideForces<d>& outside() { return outside_; }
   /// Accelerations in this state, which do not depend on the velocity; nullopt if a cell is inverted.
   std::optional<OpenAcceleration> open(const State& state, bool still);
 

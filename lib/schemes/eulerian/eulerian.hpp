@@ -43,6 +43,7 @@ class Eulerian {
 
   const EulerianOptions& options() const { return options_; }
   const OutsideForces<d>& outside() const { return outside_; }
+  OutsideForces<d>& outside() { return outside_; }
   /// Accelerations in this state without supports: those that it came to, or, if it is `still`, those of its
   /// stress, places and loads at velocity zero. nullopt if something is not finite.
   std::optional<OpenAcceleration> open(const State& state, bool still);

@@ -38,6 +38,7 @@ class Mixed {
   /// Fills the evolving fields of `rate` with the time derivatives of those of the state.
   std::optional<Trouble> rates(const State& state, double time, State& rate);
   const OutsideForces<d>& outside() const { return outside_; }
+  OutsideForces<d>& outside() { return outside_; }
   /// Accelerations in this state, at velocity zero if it is `still`; nullopt if the body is not sound.
   std::optional<OpenAcceleration> open(const State& state, bool still);
 

@@ -49,6 +49,7 @@ class Updated {
   /// How many corrections were blended with I so far.
   long guarded() const { return guarded_; }
   const OutsideForces<d>& outside() const { return outside_; }
+  OutsideForces<d>& outside() { return outside_; }
   /// Accelerations in this state, without dissipation if it is `still`; of the conservative balance only.
   std::optional<OpenAcceleration> open(const State& state, bool still);
   bool opens() const { return options_.conservative(); }

@@ -13,16 +13,6 @@
 namespace plumb {
 namespace {
 
-double relative(double gap, double scale) {
-  return scale > 0 ? gap / scale : gap;
-}
-
-void add(const BudgetPart& part, BudgetPart& to) {
-  to.linear += part.linear;
-  to.angular += part.angular;
-  to.energy += part.energy;
-}
-
 /// Power of the stress on the rate of the deformation gradient, sum V P : F(v), of one block [W].
 template <int d, int W>
 double stress_power(const Solid<d>& solid, const StressWindow& P, const Block& block, const State<d>& state) {
@@ -68,12 +58,6 @@ double potential_energy(const Solid<d>& solid, const State<d>& state) {
 }
 
 }  // namespace
-
-const BudgetPart& BudgetSums::part(const std::string& name) const {
-  for (const auto& p : parts)
-    if (p.name == name) return p;
-  throw InputError("the budget has no part \"" + name + "\"", "parts are the terms of the body", "");
-}
 
 /// What the probes and the budget share.
 template <int d>
@@ -222,11 +206,7 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
     step_.parts[part].angular += x.cross(impulse);
     step_.parts[part].energy += 0.5 * (v0 + v1) * rest;
   }
-  BudgetPart explained;
-  for (const auto& part : step_.parts) add(part, explained);
-  step_.linear_gap = relative((explained.linear - change.linear).norm(), scale.linear[0]);
-  step_.angular_gap = relative((explained.angular - change.angular).norm(), scale.angular[0]);
-  step_.energy_gap = relative(std::abs(explained.energy - change.energy), scale.energy);
+  set_gaps(sum_of(step_.parts), change, scale, step_);
 
   // the work of forces that have a potential goes into it; what is left is the integrator's
   double conserved = potential_energy(solid, state) - a.potential_before;
@@ -238,10 +218,7 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
   for (const double defect : a.defect) step_.parts.front().energy += dt * defect;
   integrator.energy = conserved - step_.parts.front().energy;
 
-  for (std::size_t k = 0; k < step_.parts.size(); ++k) add(step_.parts[k], total_.parts[k]);
-  total_.linear_gap = std::max(total_.linear_gap, step_.linear_gap);
-  total_.angular_gap = std::max(total_.angular_gap, step_.angular_gap);
-  total_.energy_gap = std::max(total_.energy_gap, step_.energy_gap);
+  add_step(step_, total_);
   account_->start_step(solid, state);
 }
 
