@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// The conservation budget of a body, THEORY (8.5) to (8.7): follows the force through its terms. Made when the last term has been
+/// The conservation budget of a body, THEORY (8.5), (8.6), (8.7): follows the force through its terms. Made when the last term has been
 /// added; nothing of it is in a solid for which none is made. Costs two fields of d components for the
 /// internal force and every term, and another pass over the bonds at each evaluation.
 template <int d>
