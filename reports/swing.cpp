@@ -52,4 +52,9 @@ Swing last_swing(const std::vector<double>& time, const std::vector<double>& val
   return {(top.value + last.value) / 2, (top.value - last.value) / 2, 1 / (last.time - first.time)};
 }
 
+Swing widest_swing(const std::vector<double>& time, const std::vector<double>& value) {
+  const auto [least, most] = std::minmax_element(value.begin(), value.end());
+  return {(*most + *least) / 2, (*most - *least) / 2, last_swing(time, value).frequency};
+}
+
 }  // namespace plumb::reports

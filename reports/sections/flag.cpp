@@ -19,23 +19,38 @@ using Json = nlohmann::ordered_json;
 struct FlagRun {
   std::string id, name, file;
   std::vector<std::string> set;
-  bool judged = false;  ///< the checks are for this resolution
+  bool judged = false;  ///< its last swing is, by 1 %
+  bool published =
+      false;  ///< it steps as the authors do: extremes of the whole run are compared with theirs by 1 %
 };
 
 const std::string particles = "verification/scenes/flag-swinging.toml",
                   elements = "verification/scenes/flag-elements.toml";
+
+const std::vector<std::string> implicit_steps{"element.solve=newton", "implicit.dynamics=midpoint",
+                                              "method.time_step=0.005"};
+
+std::vector<std::string> with(const std::string& entry, std::vector<std::string> others) {
+  others.insert(others.begin(), entry);
+  return others;
+}
 
 const std::vector<FlagRun> quick{
     {"flag-8",
      "particles, 8 cells across",
      particles,
      {"body.spacing=0.0025", "boundary.0.where=(X + 0.05)^2 + (Y - 0.01)^2 < 0.05125^2"}},
-    {"flag-elements-4", "finite elements of second order, 4 across, end held straight", elements, {}}};
-const std::vector<FlagRun> slow{{"flag-20", "particles, 20 cells across", particles, {}, true},
-                                {"flag-elements-8",
-                                 "finite elements of second order, 8 across, end held straight",
-                                 elements,
-                                 {"body.spacing=0.0025"}}};
+    {"flag-elements-4", "finite elements of second order, 4 across, end held straight", elements, {}},
+    {"flag-elements-4-steps", "the same by the implicit midpoint rule, in steps of 5 ms as the authors'",
+     elements, implicit_steps, false, true}};
+const std::vector<FlagRun> slow{
+    {"flag-20", "particles, 20 cells across", particles, {}, true},
+    {"flag-elements-8",
+     "finite elements of second order, 8 across, end held straight",
+     elements,
+     {"body.spacing=0.0025"}},
+    {"flag-elements-8-steps", "the same by the implicit midpoint rule, in steps of 5 ms as the authors'",
+     elements, with("body.spacing=0.0025", implicit_steps), false, true}};
 
 std::vector<FlagRun> runs_of(bool long_run) {
   std::vector<FlagRun> all = quick;
@@ -46,17 +61,25 @@ std::vector<FlagRun> runs_of(bool long_run) {
 /// What Turek and Hron print, and the number of a swing that is compared with it.
 struct Number {
   std::string name, column, unit;
+  Swing (*of)(const std::vector<double>& time, const std::vector<double>& value);
   double Swing::*member;
   double factor, published;
-  bool judged = false;  ///< a check of the report; the others are shown
+  bool FlagRun::*judges =
+      nullptr;  ///< the runs for which it is a check of the report; in the others it is shown
 };
 
+const std::string height = "tip displacement y [m]", along = "tip displacement x [m]";
+
 const std::vector<Number> numbers{
-    {"height, mean", "tip displacement y [m]", "mm", &Swing::mean, 1e3, -63.607},
-    {"height, amplitude", "tip displacement y [m]", "mm", &Swing::amplitude, 1e3, 65.160, true},
-    {"height, frequency", "tip displacement y [m]", "Hz", &Swing::frequency, 1, 1.0995, true},
-    {"along the bar, mean", "tip displacement x [m]", "mm", &Swing::mean, 1e3, -14.305},
-    {"along the bar, amplitude", "tip displacement x [m]", "mm", &Swing::amplitude, 1e3, 14.305},
+    {"height, mean of the last swing", height, "mm", last_swing, &Swing::mean, 1e3, -63.607},
+    {"height, amplitude of the last swing", height, "mm", last_swing, &Swing::amplitude, 1e3, 65.160,
+     &FlagRun::judged},
+    {"height, mean of the run", height, "mm", widest_swing, &Swing::mean, 1e3, -63.607, &FlagRun::published},
+    {"height, amplitude of the run", height, "mm", widest_swing, &Swing::amplitude, 1e3, 65.160,
+     &FlagRun::published},
+    {"height, frequency", height, "Hz", last_swing, &Swing::frequency, 1, 1.0995, &FlagRun::judged},
+    {"along the bar, mean of the run", along, "mm", widest_swing, &Swing::mean, 1e3, -14.305},
+    {"along the bar, amplitude of the run", along, "mm", widest_swing, &Swing::amplitude, 1e3, 14.305},
 };
 
 const std::vector<double>& column(const std::map<std::string, std::vector<double>>& table,
@@ -69,8 +92,7 @@ const std::vector<double>& column(const std::map<std::string, std::vector<double
 Figure history(const Results& results, const FlagRun& run) {
   const auto series = results.csv(run.id, "series.csv");
   Picture picture{"Tip of the swinging flag", {"time t", "s"}, {"displacement", "mm"}};
-  for (const auto& [label, name] : {std::pair("height", "tip displacement y [m]"),
-                                    std::pair("along the bar", "tip displacement x [m]")}) {
+  for (const auto& [label, name] : {std::pair("height", height), std::pair("along the bar", along)}) {
     std::vector<double> shown;
     for (const double u : column(series, name)) shown.push_back(1e3 * u);
     picture.series.push_back({label, column(series, "time [s]"), shown, Style::lines});
@@ -82,7 +104,7 @@ Section write(const Results& results, const std::vector<FlagRun>& all) {
   Section s;
   s.question = "Does the elastic flag of Turek and Hron swing as published?";
   s.tables = {{"flag",
-               "Last swing of the flag: ours, published, off by",
+               "Swings of the flag in ten seconds: ours, published, off by",
                {{"run"},
                 {"quantity"},
                 {"unit"},
@@ -99,29 +121,29 @@ Section write(const Results& results, const std::vector<FlagRun>& all) {
     const auto series = results.csv(run.id, "series.csv");
     s.figures.push_back(history(results, run));
     for (const Number& of : numbers) {
-      const Swing swing = last_swing(column(series, "time [s]"), column(series, of.column));
+      const Swing swing = of.of(column(series, "time [s]"), column(series, of.column));
       const double ours = of.factor * (swing.*of.member), off = ours / of.published - 1;
       worst = std::max(worst, std::abs(off));
       table.rows.push_back({run.name, of.name, of.unit, ours, of.published, 100 * off,
                             number(result, "particles"), number(result.at("timing"), "cpu_s")});
       table.row_jobs.push_back(run.id);
-      if (!run.judged || !of.judged) continue;
-      Check check = as(CheckKind::reproduced,
-                       number_check("swinging flag, " + of.name, ours, of.published, 0.01, "one per cent"));
+      if (!of.judges || !(run.*of.judges)) continue;
+      Check check = as(CheckKind::reproduced, number_check("swinging flag, " + run.name + ", " + of.name,
+                                                           ours, of.published, 0.01, "one per cent"));
       check.job = run.id;
       s.checks.push_back(std::move(check));
     }
     table.jobs.push_back(run.id);
   }
-  s.answer =
-      fmt::format("All numbers of the last swing are within {:.2g} % of the published ones.", 100 * worst);
+  s.answer = fmt::format("All numbers are within {:.2g} % of the published ones.", 100 * worst);
   s.notes = {
       "S. Turek and J. Hron, Proposal for numerical benchmarking of fluid-structure interaction, Lect. Notes Comput. "
       "Sci. Eng. 53, 371 (2006), CSM3. Mean and amplitude are half sum and half difference of the highest and the "
-      "lowest value of a swing, as they have them.",
-      "Their own table has other means for longer time steps (-64.271 mm with 0.02 s). Nothing damps the motion, so that the "
-      "mean and the amplitude change from swing to swing. Finite elements of ours, an independent answer, are not within 1 % of "
-      "all published numbers either; so 1 % is asked of the height's amplitude and frequency only."};
+      "lowest value, as they have them.",
+      "They step by a rule of second order, in 5 ms. Elements of ours that do so too have their means and amplitudes, as extremes of ten "
+      "seconds, where no error of the space is left; in short steps the same elements have others. So what is published has the error of that "
+      "step: it moves energy between the modes of the bar, and the mean of a swing drifts by a millimetre in ten seconds.",
+      "Of the runs in short steps, 1 % is asked of the height's amplitude and frequency only."};
   return s;
 }
 

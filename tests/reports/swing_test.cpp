@@ -51,6 +51,16 @@ TEST(LastSwing, WigglesAreNoSwings) {
 TEST(LastSwing, NeedsTwoLowPoints) {
   const Series s = rows(1.1, 0, 0, 1.2);
   EXPECT_THROW(last_swing(s.time, s.value), MissingResult);
+  EXPECT_THROW(widest_swing(s.time, s.value), MissingResult);
+}
+
+TEST(WidestSwing, HasTheExtremesOfTheSeries) {
+  const Series s = rows(1.1, -0.05, 0, 10);
+  // highest at the start, -3 + 2; lowest half a period later, -3 - (2 - 0.05/2.2), from a row that may be off by 0.02 rad
+  const Swing swing = widest_swing(s.time, s.value);
+  EXPECT_NEAR(swing.mean, -3 + 0.05 / 2.2 / 2, 3e-4);
+  EXPECT_NEAR(swing.amplitude, 2 - 0.05 / 2.2 / 2, 3e-4);
+  EXPECT_EQ(swing.frequency, last_swing(s.time, s.value).frequency);
 }
 
 }  // namespace
