@@ -28,7 +28,8 @@ std::vector<SavedField> saved_fields(State& state, const std::vector<Index>& pla
   std::vector<SavedField> saved;
   for_each_kept_field(state, [&](const FieldInfo& info, const Field& field) {
     const int components = field.components();
-    SavedField out{std::string(info.name), components, std::vector<double>(particles * components)};
+    SavedField out{std::string(info.name), components, std::vector<double>(particles * components),
+                   std::string(info.unit)};
     for (Index i = 0; i < particles; ++i)
       for (int k = 0; k < components; ++k) out.values[i * components + k] = field[k][places[i]];
     saved.push_back(std::move(out));
@@ -57,14 +58,15 @@ void restore_fields(State& state, const std::vector<Index>& places, const std::v
 /// Adds what a state keeps of pairs and of the whole body, as fields of one record each.
 template <class State>
 void save_more(State& state, std::vector<SavedField>& saved) {
-  const auto add = [&](std::string_view name, std::vector<double> values) {
+  const auto add = [&](std::string_view name, KeptFor of, std::vector<double> values) {
     if (!values.empty())
-      saved.push_back({std::string(name), static_cast<int>(values.size()), std::move(values)});
+      saved.push_back({std::string(name), static_cast<int>(values.size()), std::move(values), {}, of});
   };
   if constexpr (requires { state.pair_fields([](std::string_view, PairHistory&) {}); })
-    state.pair_fields([&](std::string_view name, PairHistory& pairs) { add(name, pairs.triples()); });
+    state.pair_fields(
+        [&](std::string_view name, PairHistory& pairs) { add(name, KeptFor::pairs, pairs.triples()); });
   if constexpr (requires { state.whole_fields([](std::string_view, double&) {}); })
-    state.whole_fields([&](std::string_view name, double& value) { add(name, {value}); });
+    state.whole_fields([&](std::string_view name, double& value) { add(name, KeptFor::body, {value}); });
 }
 
 /// InputError if a number of the whole body is missing. A history that is missing is empty.
@@ -90,7 +92,11 @@ template <class M>
 void save_points(M& scheme, std::vector<SavedField>& saved) {
   if constexpr (requires { scheme.fields_at_points([](const FieldInfo&, Field&, Index) {}); })
     scheme.fields_at_points([&](const FieldInfo& info, const Field& field, Index places) {
-      SavedField out{std::string(info.name), static_cast<int>(field.components() * places), {}};
+      SavedField out{std::string(info.name),
+                     static_cast<int>(field.components() * places),
+                     {},
+                     std::string(info.unit),
+                     KeptFor::points};
       for (int k = 0; k < field.components(); ++k)
         out.values.insert(out.values.end(), field[k], field[k] + places);
       saved.push_back(std::move(out));

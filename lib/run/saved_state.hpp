@@ -13,13 +13,23 @@ struct Moment {
   long step = 0;
 };
 
+/// Says what the numbers of a kept field belong to.
+enum class KeptFor {
+  particles,  ///< particle after particle
+  points,     ///< places that are no particles, component after component
+  pairs,      ///< particle, particle, number; pair after pair
+  body        ///< the whole body
+};
+
 /// One field of a state as it is kept in a file: particle after particle, so that it is the same for any
 /// number of threads and any order in memory. A field with `components` numbers in all belongs to the whole
 /// body.
 struct SavedField {
   std::string name;
-  int components = 1;          ///< numbers of one particle
-  std::vector<double> values;  ///< SI units
+  int components = 1;               ///< numbers of one particle
+  std::vector<double> values;       ///< SI units
+  std::string unit = {};            ///< as FieldInfo has it; not in the file
+  KeptFor of = KeptFor::particles;  ///< likewise
 };
 
 /// All that a body needs to go on bit for bit.

@@ -69,7 +69,9 @@ bool has_own_body(const std::string& scheme) {
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
   const bool works = does_work(start.actions);
+  const double spacing = start.cloud.spacing;
   Simulation<d> simulation = simulation_of(scene, std::move(start));
+  simulation.spacing = spacing;
   if (!simulation.external_work && works) simulation.has_other_work = true;
   std::vector<Statement> more;
   if (scene.method.damping) more.push_back({"damping", scene.method.damping->in_words(), "THEORY (6.7)"});

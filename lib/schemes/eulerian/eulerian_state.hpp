@@ -56,7 +56,7 @@ struct EulerianState {
     some({"deformation gradient", "", Role::history}, F);
     some({"displacement of the reference", "m", Role::history}, place);
     some({"deformation gradient of the reference", "", Role::history}, before);
-    some({"volume of the reference", "", Role::history}, volume);
+    some({"volume of the reference", "m^d", Role::history}, volume);
     some({"anchors of friction", "m", Role::history}, anchors);
   }
 

@@ -3,27 +3,23 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <ostream>
 
 #include "lib/core/dimension.hpp"
 #include "lib/core/sentences.hpp"
 #include "lib/output/file.hpp"
-#include "lib/run/checkpoint.hpp"
-#include "lib/scene/loaded_body.hpp"
 #include "lib/scene/read_scene.hpp"
 #include "lib/scene/readers.hpp"
-#include "lib/scene/simulation.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/scene/unused_keys.hpp"
-#include "lib/schemes/implicit/loaded_vibrations.hpp"
 #include "reports/modes.hpp"
 #include "verification/plumb/commands.hpp"
+#include "verification/plumb/loaded_output.hpp"
 #include "verification/plumb/session.hpp"
 #include "verification/plumb/spectrum_output.hpp"
+#include "verification/plumb/step_spectrum.hpp"
 #include "verification/plumb/symbol_output.hpp"
 
 namespace plumb::app {
@@ -75,75 +71,24 @@ Json analyse(const Scene& scene, const SpectrumOptions& options, const std::stri
 }
 
 Json analyse(const Scene& scene, const SpectrumOptions& options, const std::string& vtk = "") {
+  if (asked_by_steps(scene)) return step_spectrum(scene, "");
   return plumb::with_dimension(scene.dimension, [&]<int d>() { return analyse<d>(scene, options, vtk); });
-}
-
-/// The state of a checkpoint, or of the end of the scene's run if `at` is "end".
-template <int d>
-SavedState saved_state(const Scene& scene, const std::string& at) {
-  if (at != "end") {
-    const Checkpoint checkpoint = read_checkpoint(at);
-    if (checkpoint.dimension != d)
-      throw InputError(fmt::format("a checkpoint in {}D", checkpoint.dimension),
-                       fmt::format("the scene is in {}D", d),
-                       "name the checkpoint that this scene's run has written");
-    return checkpoint.state;
-  }
-  Simulation<d> simulation = make_simulation<d>(scene).simulation;
-  RunRecord history;
-  if (!run<d>(simulation, {}, history).completed())
-    throw InputError("the scene's run does not reach its end", "it fails on the way",
-                     "see plumb run, and name the checkpoint that it leaves");
-  return simulation.save();
 }
 
 /// The scene, and no setting of this call that has no part in its modes. With `at` "end" the scene is run.
 Scene read_for_modes(const std::string& file, const std::vector<std::string>& overrides,
                      const std::string& at) {
   Scene scene = read_scene(file, overrides);
-  if (at == "end") return scene;
+  if (at == "end" || asked_by_steps(scene)) return scene;
   const TomlValue document = parse_document(read_text(file), file, overrides, scene_alternatives());
   refuse_unused(Section(document, ""), keys_unused_by_spectrum());
   return scene;
 }
 
-/// The lowest vibrations about a state of the scene's body.
-template <int d>
-Json loaded_vibrations(const Scene& scene, const std::string& file, int count) {
-  if (has_history(scene.material.model))
-    throw InputError(fmt::format("--at with a body of \"{}\"", scene.material.model),
-                     "its stiffness depends on what was before", "leave out --at, or name an elastic law");
-  const LoadedBody<d> body = loaded_body<d>(scene, saved_state<d>(scene, file));
-  Balance<d> balance = body.balance();
-  Json modes = Json::array();
-  int unstable = 0;
-  for (const LoadedVibration& mode : vibrations_about<d>(balance, body.motion.u, count)) {
-    const double frequency = std::sqrt(std::abs(mode.square)) / (2 * std::numbers::pi);
-    const bool grows = mode.square < 0;
-    unstable += grows ? 1 : 0;
-    modes.push_back({{"number", modes.size() + 1},
-                     {"omega_squared", mode.square},
-                     {"frequency_hz", grows ? Json() : Json(frequency)},
-                     {"kind", grows ? "grows" : "vibrates"}});
-  }
-  return {{"scene", scene.name},
-          {"at", file},
-          {"time", body.motion.time},
-          {"unstable", unstable},
-          {"modes", modes}};
-}
-
-std::string loaded_text(const Json& result) {
-  std::string text =
-      fmt::format("{} at {:g} s: {}\n", result["scene"].get<std::string>(), result["time"].get<double>(),
-                  result["unstable"] == 0 ? "the state is stable" : "the state is unstable");
-  for (const auto& mode : result["modes"])
-    text += mode["frequency_hz"].is_null()
-                ? fmt::format("  {:>3}  grows, omega^2 = {:.6g} 1/s^2\n", mode["number"].get<int>(),
-                              mode["omega_squared"].get<double>())
-                : fmt::format("  {:>3}  {:.6g} Hz\n", mode["number"].get<int>(),
-                              mode["frequency_hz"].get<double>());
-  return text;
+int tell_steps(const Session& session, const Json& result) {
+  session.text() << step_spectrum_text(result) << std::flush;
+  session.write_json(result);
+  return 0;
 }
 
 int run_loaded(const Session& session, const SpectrumCommand& command) {
@@ -151,9 +96,9 @@ int run_loaded(const Session& session, const SpectrumCommand& command) {
     throw InputError("--at beside --over, --symbol, --vtk or --plot", "it lists the vibrations of one state",
                      "leave the others out");
   const Scene scene = read_for_modes(command.file, command.overrides, command.at);
-  const Json result = plumb::with_dimension(scene.dimension, [&]<int d>() {
-    return loaded_vibrations<d>(scene, command.at, command.options.low_modes);
-  });
+  if (asked_by_steps(scene) && scene.method.scheme != "element")
+    return tell_steps(session, step_spectrum(scene, command.at));
+  const Json result = loaded_vibrations(scene, command.at, command.options.low_modes);
   session.text() << loaded_text(result) << std::flush;
   session.write_csv(result["modes"]);
   session.write_json(result);
@@ -223,6 +168,18 @@ Json rows_of(const std::vector<std::vector<std::string>>& sets, const std::vecto
   return rows;
 }
 
+/// What a scheme that is asked by its steps does not have.
+void refuse_modes(const Session& session, const SpectrumCommand& command) {
+  for (const auto& [asked, option] : {std::pair(command.symbol > 0, "--symbol"),
+                                      {!command.vtk.empty(), "--vtk"},
+                                      {!session.plot.empty(), "--plot"},
+                                      {!session.csv.empty(), "--csv"}})
+    if (asked)
+      throw InputError(fmt::format("{} with this scheme", option),
+                       "it is asked by its own steps, which have no modes to show",
+                       "leave it out, or use scheme = \"tlsph\"");
+}
+
 int run_spectrum(const Session& session, const SpectrumCommand& command) {
   if (!command.at.empty()) return run_loaded(session, command);
   const auto sets = combinations(command.over);
@@ -241,11 +198,13 @@ int run_spectrum(const Session& session, const SpectrumCommand& command) {
     overrides.insert(overrides.end(), set.begin(), set.end());
     scenes.push_back(read_for_modes(command.file, overrides, command.at));
   }
+  if (asked_by_steps(scenes.front())) refuse_modes(session, command);
   if (command.symbol > 0) return run_symbol(session, sets, scenes, command.symbol);
   Progress progress("spectrum", session.progress());
   if (command.over.empty()) {
     const Json single = analyse(scenes.front(), command.options, command.vtk);
     progress.finish();
+    if (asked_by_steps(scenes.front())) return tell_steps(session, single);
     session.text() << spectrum_text(single) << std::flush;
     draw_worst(session, single);
     session.write_csv(single["modes"]);
@@ -266,7 +225,8 @@ void add_spectrum(CLI::App& program, Session& session) {
   const auto options = std::make_shared<SpectrumCommand>();
   CLI::App& command = add_command(
       program, session,
-      {"spectrum", "eigenvalues of the equations of motion, linearised about the reference state",
+      {"spectrum",
+       "eigenvalues of the equations of motion about the reference state, or of a scheme's own step",
        "plumb spectrum verification/scenes/free_cube.toml --over method.momentum=symmetrised,adjoint"},
       {.table = true, .plot = true}, [&session, options] { return run_spectrum(session, *options); });
   command.add_option("SCENE", options->file, "the scene file (.toml)")->required()->type_name("FILE");
