@@ -53,7 +53,7 @@ class Section {
   std::vector<long> integers(const Key& key, std::size_t count, long least) const;
   /// An array of strings, numbers taken as they are written (to 17 digits); at least one.
   std::vector<std::string> texts(const Key& key) const;
-  /// Likewise; the caller refuses what is none of `words`.
+  /// An array of words of which there are some only; the caller refuses what is none of them.
   std::vector<std::string> texts(const Key& key, const std::vector<std::string>& words) const;
   /// One formula in X, Y, Z, and in t where it may change in time; a bare number and a number with a unit are
   /// constants.
