@@ -27,6 +27,7 @@ using NodalValues = std::vector<PointValue<d>>;
 template <int d>
 using StressFunction = std::function<Mat<d>(const Mat<d>& F)>;
 
+/// Collects what the scheme knows at its particles, with the stress that `stress` makes of its F.
 template <int d>
 NodalValues<d> nodal_values(const Solid<d>& solid, const State<d>& state, const StressFunction<d>& stress);
 
@@ -49,7 +50,7 @@ using ExactField = std::function<PointValue<d>(const Vec<d>& X)>;
 template <int d>
 ErrorNorms nodal_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact);
 
-/// The same norms of the exact field itself: what an error is relative to.
+/// Computes the norms of the exact field itself: what an error is relative to.
 template <int d>
 ErrorNorms nodal_size(const Cloud<d>& cloud, const ExactField<d>& exact);
 
@@ -71,7 +72,7 @@ template <int d>
 ErrorNorms gauss_norms(const Cloud<d>& cloud, const NodalValues<d>& values, const ExactField<d>& exact,
                        const Interpolation<d>& interpolation, int tiles = 10, int points = 5);
 
-/// The same norms of the exact field itself, by the same points.
+/// Computes the norms of the exact field itself, by the points of gauss_norms().
 template <int d>
 ErrorNorms gauss_size(const Box<d>& box, const ExactField<d>& exact, int tiles = 10, int points = 5);
 

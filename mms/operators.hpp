@@ -26,16 +26,18 @@ struct OperatorLevel {
   double constraint = 0;
 };
 
+/// Holds the order of one operator on a part of the body.
 struct OperatorFit {
   std::string name, part;  ///< a name of operator_names or "constraint"; a name of part_names
   OrderFit fit;
   std::string verdict;  ///< the trend: nothing is declared
 };
 
+/// Holds the errors of all operators on all levels, with their orders.
 struct OperatorResult {
   std::vector<OperatorLevel> levels;
   std::vector<OperatorFit> fits;
-  /// Of plumb::status_of() from the inside: nothing is declared. At the boundary most schemes spread the
+  /// Is that of plumb::status_of() from the inside: nothing is declared. At the boundary most schemes spread the
   /// traction over several layers of particles, so that Div P does not converge there from point to point.
   std::string status;
 };

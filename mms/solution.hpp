@@ -39,6 +39,7 @@ inline Elastic soft_rubber() {
   return {17e6, 0.3, 1100};
 }
 
+/// Is the circumference of a circle over its diameter.
 inline constexpr double pi = 3.141592653589793238462643383279502884;
 
 }  // namespace plumb::mms

@@ -54,6 +54,7 @@ struct StaticLevel {
 /// The norms of a static study: those of norm_names but the velocity's.
 std::vector<NormName> static_norms();
 
+/// Holds the errors of all levels, with their orders.
 struct StaticResult {
   std::vector<StaticLevel> levels;
   std::vector<StudyFit>
@@ -68,7 +69,7 @@ struct StaticResult {
 /// otherwise. Expect::l2, h1 and stress_l2 are the declared orders. Each level is a part of the sitting;
 /// throws SittingEnded if that ends, after the level at hand.
 StaticResult run_static_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
-/// The same in one sitting.
+/// Runs the study in one sitting.
 inline StaticResult run_static_study(const Study& study, const StudyProgress& progress = {}) {
   Sitting whole;
   return run_static_study(study, progress, whole);

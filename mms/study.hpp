@@ -21,6 +21,7 @@ struct StudyFit {
   std::string verdict;
 };
 
+/// Holds the errors and costs of all levels, with their orders and verdicts.
 struct StudyResult {
   std::vector<StudyLevel> levels;
   std::vector<StudyFit> fits;
@@ -40,7 +41,7 @@ std::optional<double> declared_order(const Study& study, std::string_view norm);
 /// reduces. Each level is a part of the sitting. Throws InputError if the solution does not fit the study
 /// (dimension, parameters, box), SittingEnded if the sitting ends.
 StudyResult run_study(const Study& study, const StudyProgress& progress, Sitting& sitting);
-/// The same in one sitting.
+/// Runs the study in one sitting.
 inline StudyResult run_study(const Study& study, const StudyProgress& progress = {}) {
   Sitting whole;
   return run_study(study, progress, whole);
@@ -62,7 +63,7 @@ std::vector<std::string> norms_of(const Study& study);
 /// One norm of the error of a level by its name, absolute.
 double norm_of(const StudyLevel& level, const std::string& norm);
 
-/// The same norm of the exact field: error over size is the relative error (not finite where the field is
+/// Returns that norm of the exact field: error over size is the relative error (not finite where the field is
 /// zero). Orders are fitted to absolute errors; those of relative ones differ by the quadrature of the size
 /// only.
 double size_of(const StudyLevel& level, const std::string& norm);

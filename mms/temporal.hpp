@@ -16,6 +16,7 @@ struct TemporalOrder {
   std::string verdict;  ///< of judge()
 };
 
+/// Holds the orders of the integrators in time, on one cloud.
 struct TemporalResult {
   double spacing;         ///< of the cloud [m]: the study's first
   Index n;                ///< particles
@@ -35,7 +36,7 @@ bool at_floor(const TemporalOrder& order, std::size_t level);
 /// what the roundings of the reference's steps leave. The field of each run is a part of the sitting; throws
 /// SittingEnded if that ends.
 TemporalResult run_temporal(const Study& study, const StudyProgress& progress, Sitting& sitting);
-/// The same in one sitting.
+/// Runs the study in one sitting.
 inline TemporalResult run_temporal(const Study& study) {
   Sitting whole;
   return run_temporal(study, {}, whole);

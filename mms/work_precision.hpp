@@ -37,6 +37,7 @@ struct Cheapest {
   double cost;  ///< in that measure
 };
 
+/// Holds errors beside costs of all variants, and which one is cheapest at given errors.
 struct WorkPrecision {
   std::vector<std::string> labels;
   std::vector<WorkPoint> points;
@@ -52,7 +53,7 @@ struct WorkPrecision {
 WorkPrecision work_precision(const std::vector<Contender>& variants, int repeats,
                              const std::vector<double>& errors, const StudyProgress& progress,
                              Sitting& sitting);
-/// The same in one sitting.
+/// Compares the variants in one sitting.
 inline WorkPrecision work_precision(const std::vector<Contender>& variants, int repeats,
                                     const std::vector<double>& errors) {
   Sitting whole;

@@ -64,7 +64,7 @@ struct GradientTable {
 GradientTable gradient_table(const Discretisation& discretisation, const std::vector<TestField>& fields,
                              const std::vector<GradientMethod>& methods);
 
-/// The same as rows.
+/// Computes the table as rows.
 std::vector<GradientRow> gradient_rows(const Discretisation& discretisation,
                                        const std::vector<TestField>& fields,
                                        const std::vector<GradientMethod>& methods);

@@ -48,6 +48,7 @@ struct StudyFit {
   Trend trend;
 };
 
+/// Holds the errors of a refinement, with their orders.
 struct RefinementStudy {
   std::vector<StudyRow> rows;
   std::vector<StudyFit> fits;
@@ -62,7 +63,7 @@ GradientErrors error_norms(const Cloud<1>& cloud, double R, const std::vector<do
 RefinementStudy refine(const Discretisation& discretisation, const std::vector<Index>& cells,
                        const std::vector<TestField>& fields, const std::vector<GradientMethod>& methods,
                        Sitting& sitting);
-/// The same in one sitting.
+/// Refines in one sitting.
 inline RefinementStudy refine(const Discretisation& discretisation, const std::vector<Index>& cells,
                               const std::vector<TestField>& fields,
                               const std::vector<GradientMethod>& methods) {

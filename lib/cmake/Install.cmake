@@ -56,6 +56,7 @@ install(FILES ${PROJECT_BINARY_DIR}/plumblineConfig.cmake ${PROJECT_BINARY_DIR}/
 
 if(TARGET plumb)
   install(TARGETS plumb COMPONENT program)
+  install(TARGETS plumb-house COMPONENT house)
   # laid out as in the source tree, so that the examples of the help work in share/plumbline
   foreach(part scenes comparison material studies stability claims faults bad_inputs.toml)
     if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/verification/${part})
@@ -69,7 +70,13 @@ if(TARGET plumb)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
           COMPONENT program)
   set(shell_files ${PROJECT_BINARY_DIR}/generated/shell)
+  install(FILES ${shell_files}/scene.json ${shell_files}/study.json ${shell_files}/path.json
+          ${PROJECT_SOURCE_DIR}/verification/schema/result.json
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification/schema COMPONENT program)
+  install(FILES ${shell_files}/keys-of-scenes.md ${shell_files}/keys-of-studies.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+          COMPONENT program)
   install(FILES ${shell_files}/plumb.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${shell_files}/plumb-house.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT house)
   install(FILES ${shell_files}/plumb.bash RENAME plumb DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
           COMPONENT program)
   install(FILES ${shell_files}/_plumb DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)

@@ -1,4 +1,4 @@
-# Debian packages: `plumbline` (program, scenes, manual, completion), `libplumbline-dev` (libraries, headers, CMake package),
+# Debian packages: `plumbline` (program, scenes, manual, completion), `plumbline-house` (the program that checks Plumbline itself), `libplumbline-dev` (libraries, headers, CMake package),
 # `libplumbline-c1` (the shared library for other languages) and `python3-plumbline`.
 #   cmake --workflow --preset package
 # They are built for any x86-64 machine since about 2010 (-march=x86-64-v2): a package does not know where it will run, and a
@@ -10,7 +10,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "total Lagrangian SPH for solids, checked 
 set(CPACK_PACKAGE_CONTACT "the Plumbline authors <plumbline@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program library interface python)
+set(CPACK_COMPONENTS_ALL program house library interface python)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -18,7 +18,11 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME plumbline)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)  # what the program links is found by dpkg-shlibdeps
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, python3-vtk9")  # pictures: plumb report, --plot
+# pictures: plumb report, --plot; its chapters about speed and claims
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, python3-vtk9, plumbline-house (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_HOUSE_PACKAGE_NAME plumbline-house)
+set(CPACK_DEBIAN_HOUSE_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_HOUSE_PACKAGE_DEPENDS "plumbline (= ${PROJECT_VERSION})")
 
 # The libraries are static: who links them needs what they were built with, the sections "numbers" and "reading and writing" of
 # the one list of packages.

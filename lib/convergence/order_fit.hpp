@@ -63,7 +63,7 @@ struct OrderFit {
 /// spacings that are not positive, not finite or equal, and for weights of another number.
 OrderFit fit_order(std::span<const Level> levels, const FitOptions& options = {});
 
-/// The same with weights, one per level.
+/// Fits an order to levels that count by weights, one per level.
 OrderFit fit_order(std::span<const Level> levels, std::span<const double> weights);
 
 /// Signed order between two levels: ln(coarse/fine errors) / ln(coarse/fine spacings). NaN if it does not

@@ -3,7 +3,7 @@
 
 namespace plumb {
 
-/// The same vector with three components; the missing one is 0.
+/// Returns the vector with three components; what is missing is 0.
 template <int d>
 Vec<3> in_space(const Vec<d>& v) {
   Vec<3> w = Vec<3>::Zero();

@@ -54,7 +54,7 @@ struct Pack {
     __builtin_memcpy(&p.lanes, from, sizeof(Lanes));
     return p;
   }
-  /// The same, for values that several products use: one load into a register, where GCC would make the load
+  /// Loads values that several products use: one load into a register, where GCC would make the load
   /// part of every product.
   static Pack load_once(const double* from) {
     Pack p = load(from);

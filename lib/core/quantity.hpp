@@ -18,6 +18,7 @@ struct Quantity {
 };
 
 namespace quantity {
+/// Names what the numbers of input files are.
 inline constexpr Quantity number{"a pure number", {0, 0, 0}, ""};
 inline constexpr Quantity length{"a length", {0, 1, 0}, "m"};
 inline constexpr Quantity time{"a time", {0, 0, 1}, "s"};

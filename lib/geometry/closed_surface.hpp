@@ -15,6 +15,7 @@ struct TriangleMesh {
   std::vector<std::array<std::size_t, 3>> corner;  ///< per triangle, counterclockwise seen from outside
 };
 
+/// Holds the corners of a triangle [m].
 using Corners = std::array<Vec<3>, 3>;
 
 /// The corners of one triangle [m].
@@ -36,7 +37,7 @@ void require_closed(TriangleMesh& mesh);
 /// of the nearest face, edge or corner (Baerentzen and Aanaes 2005, IEEE Trans. Vis. Comput. Graph. 11, 243).
 class ClosedSurface {
  public:
-  /// Of a mesh that require_closed() has passed.
+  /// Makes the surface of a mesh that require_closed() has passed.
   explicit ClosedSurface(TriangleMesh mesh);
   ~ClosedSurface();
 

@@ -28,7 +28,7 @@ struct PairHistory {
 
   /// Keeps the values of pairs that both lists have; pairs that are new have 0.
   void move_to(std::shared_ptr<const PairList> target);
-  /// Of the values and of their list.
+  /// Returns the memory of the values and of their list.
   std::size_t bytes() const {
     const std::size_t rows = list ? list->begin.size() : 0;
     return value.size() * (sizeof(double) + sizeof(std::int32_t)) + rows * sizeof(std::int64_t);

@@ -21,7 +21,7 @@ using ShapeLengths = std::map<std::string, std::vector<double>>;
 /// One entry of ShapeLengths: what a scene must or may say.
 struct ShapeLength {
   enum class Kind { length, point, direction, points };
-  std::string name;
+  std::string name, meaning;
   Kind kind;
   bool required = true;  ///< points that are left out are the origin
 };

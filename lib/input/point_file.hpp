@@ -34,7 +34,7 @@ struct PointFile {
 /// what cannot be read, is not finite, or stands twice.
 PointFile read_points(const std::string& path);
 
-/// The same from bytes; the name decides the format.
+/// Reads points from the bytes of a file; its name decides the format.
 PointFile parse_points(const std::string& bytes, const std::string& file_name);
 
 }  // namespace plumb

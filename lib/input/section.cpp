@@ -8,7 +8,32 @@
 
 namespace plumb {
 
-Section::Section(const TomlValue& table, std::string path) : table_(&table), path_(std::move(path)) {}
+namespace {
+
+/// A default as TOML.
+std::string toml_of(double value) {
+  return fmt::format("{}", value);
+}
+std::string toml_of(bool value) {
+  return value ? "true" : "false";
+}
+std::string toml_of(const std::string& text) {
+  return text.empty() ? "" : "\"" + text + "\"";
+}
+
+}  // namespace
+
+Section::Section(const TomlValue& table, std::string path, KeyNotes* notes)
+    : table_(&table), path_(std::move(path)), notes_(notes) {}
+
+void Section::note(const Key& key, const std::vector<ValueForm>& forms, bool optional,
+                   const std::string& otherwise) const {
+  if (notes_) notes_->take(path_, key, forms, optional, otherwise);
+}
+
+void Section::mark_known(const std::vector<std::string>& keys) const {
+  known_.insert(keys.begin(), keys.end());
+}
 
 std::string Section::dotted(const std::string& key) const {
   return path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
@@ -19,12 +44,14 @@ const TomlValue* Section::find(const std::string& key) const {
   return table_->find(key);
 }
 
-bool Section::has(const std::string& key) const {
-  return find(key) != nullptr;
+bool Section::has(const Key& key) const {
+  note(key, {}, true);
+  return find(key.name) != nullptr;
 }
 
-bool Section::is_array(const std::string& key) const {
-  const TomlValue* value = find(key);
+bool Section::is_array(const Key& key) const {
+  note(key, {}, true);
+  const TomlValue* value = find(key.name);
   return value && value->is(TomlValue::Kind::array);
 }
 
@@ -80,31 +107,37 @@ double Section::as_number(const TomlValue& value, const std::string& key, const 
   return number;
 }
 
-double Section::number(const std::string& key, const Quantity& expected, Sign sign) const {
+double Section::read_number(const std::string& key, const Quantity& expected, Sign sign) const {
   return as_number(required(key), key, expected, sign);
 }
 
-double Section::any_number(const std::string& key) const {
-  const TomlValue& value = required(key);
-  if (!value.is(TomlValue::Kind::text)) return number(key, quantity::number);
+double Section::number(const Key& key, const Quantity& expected, Sign sign) const {
+  note(key, {{ValueKind::number, expected, sign}}, false);
+  return read_number(key.name, expected, sign);
+}
+
+double Section::any_number(const Key& key) const {
+  note(key, {{ValueKind::any_number}}, false);
+  const TomlValue& value = required(key.name);
+  if (!value.is(TomlValue::Kind::text)) return read_number(key.name, quantity::number, Sign::any);
   try {
     const Measured measured = parse_measured(value.text);
-    return number(key, {"a number", measured.dimension, ""});
+    return read_number(key.name, {"a number", measured.dimension, ""}, Sign::any);
   } catch (const SceneError&) {
     throw;
   } catch (const InputError& error) {
-    fail(key, error.problem(), error.why(), error.suggestion());
+    fail(key.name, error.problem(), error.why(), error.suggestion());
   }
 }
 
-std::optional<double> Section::optional_number(const std::string& key, const Quantity& expected,
-                                               Sign sign) const {
-  const TomlValue* value = find(key);
-  return value ? std::optional(as_number(*value, key, expected, sign)) : std::nullopt;
+std::optional<double> Section::optional_number(const Key& key, const Quantity& expected, Sign sign) const {
+  note(key, {{ValueKind::number, expected, sign}}, true);
+  const TomlValue* value = find(key.name);
+  return value ? std::optional(as_number(*value, key.name, expected, sign)) : std::nullopt;
 }
 
-double Section::number_or(const std::string& key, double otherwise, const Quantity& expected,
-                          Sign sign) const {
+double Section::number_or(const Key& key, double otherwise, const Quantity& expected, Sign sign) const {
+  note(key, {}, true, toml_of(otherwise));
   return optional_number(key, expected, sign).value_or(otherwise);
 }
 
@@ -116,40 +149,65 @@ long Section::as_integer(const TomlValue& value, const std::string& key, long le
   return value.whole;
 }
 
-std::optional<long> Section::optional_integer(const std::string& key, long least) const {
-  const TomlValue* value = find(key);
-  return value ? std::optional(as_integer(*value, key, least)) : std::nullopt;
+long Section::integer(const Key& key, long least) const {
+  note(key, {{.kind = ValueKind::integer, .least = least}}, false);
+  return as_integer(required(key.name), key.name, least);
 }
 
-long Section::integer_or(const std::string& key, long otherwise, long least) const {
+std::optional<long> Section::optional_integer(const Key& key, long least) const {
+  note(key, {{.kind = ValueKind::integer, .least = least}}, true);
+  const TomlValue* value = find(key.name);
+  return value ? std::optional(as_integer(*value, key.name, least)) : std::nullopt;
+}
+
+long Section::integer_or(const Key& key, long otherwise, long least) const {
+  note(key, {}, true, std::to_string(otherwise));
   return optional_integer(key, least).value_or(otherwise);
 }
 
-bool Section::flag_or(const std::string& key, bool otherwise) const {
-  const TomlValue* value = find(key);
+bool Section::flag_or(const Key& key, bool otherwise) const {
+  note(key, {{ValueKind::flag}}, true, toml_of(otherwise));
+  const TomlValue* value = find(key.name);
   if (!value) return otherwise;
-  if (!value->is(TomlValue::Kind::boolean)) wrong_type(*value, key, "true or false");
+  if (!value->is(TomlValue::Kind::boolean)) wrong_type(*value, key.name, "true or false");
   return value->flag;
 }
 
-std::string Section::text(const std::string& key) const {
+std::string Section::read_text(const std::string& key) const {
   const TomlValue& value = required(key);
   if (!value.is(TomlValue::Kind::text)) wrong_type(value, key, "a string in quotes");
   if (value.text.empty()) fail(key, "empty string", "it needs at least one character");
   return value.text;
 }
 
-std::string Section::text_or(const std::string& key, const std::string& otherwise) const {
-  return has(key) ? text(key) : otherwise;
+std::string Section::text(const Key& key) const {
+  note(key, {{ValueKind::text}}, false);
+  return read_text(key.name);
 }
 
-std::string Section::choice_or(const std::string& key, const std::string& otherwise,
-                               const std::vector<std::string>& valid) const {
-  std::string name = text_or(key, otherwise);
+std::string Section::text_or(const Key& key, const std::string& otherwise) const {
+  note(key, {{ValueKind::text}}, true, toml_of(otherwise));
+  return find(key.name) ? read_text(key.name) : otherwise;
+}
+
+std::string Section::read_choice(const std::string& key, const std::string& name,
+                                 const std::vector<std::string>& valid) const {
   for (const auto& one : valid)
     if (one == name) return name;
   const InputError error = unknown_name(key, name, valid);
   fail(key, error.problem(), error.why(), error.suggestion());
+}
+
+std::string Section::choice(const Key& key, const std::vector<std::string>& valid) const {
+  if (valid.empty()) return text(key);
+  note(key, {{.kind = ValueKind::choice, .words = valid}}, false);
+  return read_choice(key.name, read_text(key.name), valid);
+}
+
+std::string Section::choice_or(const Key& key, const std::string& otherwise,
+                               const std::vector<std::string>& valid) const {
+  note(key, {{.kind = ValueKind::choice, .words = valid}}, true, toml_of(otherwise));
+  return read_choice(key.name, find(key.name) ? read_text(key.name) : otherwise, valid);
 }
 
 const TomlValue& Section::array(const std::string& key, std::size_t count, const std::string& of_what) const {
@@ -164,45 +222,58 @@ const TomlValue& Section::array(const std::string& key, std::size_t count, const
   return value;
 }
 
-std::vector<double> Section::numbers(const std::string& key, std::size_t count, const Quantity& expected,
-                                     Sign sign) const {
+std::vector<double> Section::read_numbers(const std::string& key, std::size_t count, const Quantity& expected,
+                                          Sign sign) const {
   std::vector<double> all;
   for (const auto& item : array(key, count, "numbers").items)
     all.push_back(as_number(item, key, expected, sign));
   return all;
 }
 
-std::vector<double> Section::points(const std::string& key, std::size_t dimension,
-                                    const Quantity& expected) const {
-  const auto& items = array(key, 0, "points").items;
-  if (!items.front().is(TomlValue::Kind::array)) return numbers(key, 0, expected);
+std::vector<double> Section::numbers(const Key& key, std::size_t count, const Quantity& expected,
+                                     Sign sign) const {
+  note(key, {{.kind = ValueKind::numbers, .quantity = expected, .sign = sign, .count = count}}, false);
+  return read_numbers(key.name, count, expected, sign);
+}
+
+std::vector<double> Section::points(const Key& key, std::size_t dimension, const Quantity& expected) const {
+  note(key, {{.kind = ValueKind::points, .quantity = expected, .count = dimension}}, false);
+  const auto& items = array(key.name, 0, "points").items;
+  if (!items.front().is(TomlValue::Kind::array)) return read_numbers(key.name, 0, expected, Sign::any);
   std::vector<double> all;
   for (std::size_t n = 0; n < items.size(); ++n) {
-    if (!items[n].is(TomlValue::Kind::array)) wrong_type(items[n], key, "points, as the first entry is one");
+    if (!items[n].is(TomlValue::Kind::array))
+      wrong_type(items[n], key.name, "points, as the first entry is one");
     if (items[n].items.size() != dimension)
-      fail(key, fmt::format("point {} has {} values", n, items[n].items.size()),
+      fail(key.name, fmt::format("point {} has {} values", n, items[n].items.size()),
            fmt::format("expected {}, as many as the dimension", dimension));
-    for (const auto& item : items[n].items) all.push_back(as_number(item, key, expected, Sign::any));
+    for (const auto& item : items[n].items) all.push_back(as_number(item, key.name, expected, Sign::any));
   }
   return all;
 }
 
-std::vector<long> Section::integers(const std::string& key, std::size_t count, long least) const {
+std::vector<long> Section::integers(const Key& key, std::size_t count, long least) const {
+  note(key, {{.kind = ValueKind::integers, .least = least, .count = count}}, false);
   std::vector<long> all;
-  for (const auto& item : array(key, count, "whole numbers").items)
-    all.push_back(as_integer(item, key, least));
+  for (const auto& item : array(key.name, count, "whole numbers").items)
+    all.push_back(as_integer(item, key.name, least));
   return all;
 }
 
-std::vector<std::string> Section::texts(const std::string& key) const {
+std::vector<std::string> Section::texts(const Key& key) const {
+  return texts(key, {});
+}
+
+std::vector<std::string> Section::texts(const Key& key, const std::vector<std::string>& words) const {
+  note(key, {{.kind = words.empty() ? ValueKind::texts : ValueKind::choices, .words = words}}, false);
   std::vector<std::string> all;
-  for (const auto& item : array(key, 0, "strings or numbers").items) {
+  for (const auto& item : array(key.name, 0, "strings or numbers").items) {
     if (item.is(TomlValue::Kind::text))
       all.push_back(item.text);
     else if (item.is(TomlValue::Kind::integer) || item.is(TomlValue::Kind::real))
       all.push_back(fmt::format("{}", item.number));
     else
-      wrong_type(item, key, "strings or numbers");
+      wrong_type(item, key.name, "strings or numbers");
   }
   return all;
 }
@@ -223,16 +294,19 @@ Expression Section::as_formula(const TomlValue& value, const std::string& key, i
   }
 }
 
-Expression Section::formula(const std::string& key, int dimension, const Quantity& expected,
+Expression Section::formula(const Key& key, int dimension, const Quantity& expected,
                             Variables variables) const {
-  return as_formula(required(key), key, dimension, expected, variables);
+  note(key, {{ValueKind::formula, expected}}, false);
+  return as_formula(required(key.name), key.name, dimension, expected, variables);
 }
 
-std::vector<Expression> Section::formulas(const std::string& key, int dimension, const Quantity& expected,
+std::vector<Expression> Section::formulas(const Key& key, int dimension, const Quantity& expected,
                                           Variables variables) const {
+  const auto count = static_cast<std::size_t>(dimension);
+  note(key, {{.kind = ValueKind::formulas, .quantity = expected, .count = count}}, false);
   std::vector<Expression> all;
-  for (const auto& item : array(key, static_cast<std::size_t>(dimension), "formulas").items)
-    all.push_back(as_formula(item, key, dimension, expected, variables));
+  for (const auto& item : array(key.name, count, "formulas").items)
+    all.push_back(as_formula(item, key.name, dimension, expected, variables));
   return all;
 }
 
@@ -251,45 +325,55 @@ auto Section::square_of(const std::string& key, Read&& read) const {
   return rows;
 }
 
-std::vector<std::vector<double>> Section::number_rows(const std::string& key,
-                                                      const Quantity& expected) const {
-  return square_of(key, [&](const TomlValue& item) { return as_number(item, key, expected, Sign::any); });
+std::vector<std::vector<double>> Section::number_rows(const Key& key, const Quantity& expected) const {
+  note(key, {{ValueKind::number_rows, expected}}, false);
+  return square_of(key.name,
+                   [&](const TomlValue& item) { return as_number(item, key.name, expected, Sign::any); });
 }
 
-std::vector<std::vector<Expression>> Section::formula_rows(const std::string& key,
-                                                           const Quantity& expected) const {
-  return square_of(key, [&](const TomlValue& item) {
-    return as_formula(item, key, 0, expected, Variables::space_and_time);
+std::vector<std::vector<Expression>> Section::formula_rows(const Key& key, const Quantity& expected) const {
+  note(key, {{ValueKind::formula_rows, expected}}, false);
+  return square_of(key.name, [&](const TomlValue& item) {
+    return as_formula(item, key.name, 0, expected, Variables::space_and_time);
   });
 }
 
-Section Section::section(const std::string& key) const {
+Section Section::read_section(const std::string& key) const {
   const TomlValue& value = required(key);
   if (!value.is(TomlValue::Kind::table))
     wrong_type(value, key, fmt::format("a section [{}]", dotted(key)),
                value.is(TomlValue::Kind::array) ? fmt::format("there is one [{}] only", dotted(key)) : "");
-  return {value, dotted(key)};
+  return {value, dotted(key), notes_};
 }
 
-std::optional<Section> Section::optional_section(const std::string& key) const {
-  return has(key) ? std::optional(section(key)) : std::nullopt;
+Section Section::section(const Key& key) const {
+  note(key, {{ValueKind::section}}, false);
+  return read_section(key.name);
 }
 
-std::vector<Section> Section::sections(const std::string& key) const {
+std::optional<Section> Section::optional_section(const Key& key) const {
+  note(key, {{ValueKind::section}}, true);
+  return find(key.name) ? std::optional(read_section(key.name)) : std::nullopt;
+}
+
+std::vector<Section> Section::sections(const Key& key) const {
+  note(key, {{ValueKind::sections}}, true);
   std::vector<Section> all;
-  const TomlValue* value = find(key);
+  const TomlValue* value = find(key.name);
   if (!value) return all;
   if (!value->is(TomlValue::Kind::array))
-    wrong_type(*value, key, "a list of sections", fmt::format("write [[{}]]", dotted(key)));
+    wrong_type(*value, key.name, "a list of sections", fmt::format("write [[{}]]", dotted(key.name)));
   for (const auto& item : value->items) {
-    const std::string path = fmt::format("{}.{}", dotted(key), all.size());
-    if (!item.is(TomlValue::Kind::table)) wrong_type(item, key, fmt::format("sections [[{}]]", dotted(key)));
-    all.emplace_back(item, path);
+    const std::string path = fmt::format("{}.{}", dotted(key.name), all.size());
+    if (!item.is(TomlValue::Kind::table))
+      wrong_type(item, key.name, fmt::format("sections [[{}]]", dotted(key.name)));
+    all.emplace_back(item, path, notes_);
   }
   return all;
 }
 
 void Section::reject_unknown() const {
+  if (notes_) notes_->close(path_, known_);
   for (const auto& name : table_->names) {
     if (known_.contains(name)) continue;
     const std::vector<std::string> valid(known_.begin(), known_.end());
@@ -301,6 +385,7 @@ void Section::reject_unknown() const {
 
 const std::vector<std::string>& Section::all_keys() const {
   known_.insert(table_->names.begin(), table_->names.end());
+  note({"*"}, {}, true);
   return table_->names;
 }
 

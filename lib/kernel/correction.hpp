@@ -15,6 +15,7 @@ enum class Correction {
   W1      ///< first-order kernel (6) with its full gradient (A.4)
 };
 
+/// Returns the name of the pair in scenes.
 std::string_view name_of(Correction pair);
 /// The pair of that name; InputError names the nearest valid one.
 Correction pair_named(std::string_view name);

@@ -28,6 +28,7 @@ struct RadialKernel {
   double (*dw)(double q);  ///< dimensionless W' h^(d+1)
 };
 
+/// Makes the value that stands for a kernel at run time.
 template <int d, Kernel<d> K>
 constexpr RadialKernel<d> radial_kernel() {
   return {K::name, K::support, &K::template w<d>, &K::template dw<d>};

@@ -59,6 +59,7 @@ struct NoParameters {
   void fields(Visit&&) {}
 };
 
+/// Finds the type of a law's own parameters: none, or its `Parameters`.
 template <class M>
 struct ParametersOfLaw {
   using type = NoParameters;

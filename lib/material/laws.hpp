@@ -9,6 +9,7 @@
 /// The laws of the catalogue by kind: elastic ones have an energy W(F), the others a history.
 namespace plumb {
 
+/// Joins lists of types, and picks from a list the laws that have an energy.
 template <class... As, class... Bs>
 TypeList<As..., Bs...> operator+(TypeList<As...>, TypeList<Bs...>) {
   return {};

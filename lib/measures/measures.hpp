@@ -13,6 +13,7 @@ struct Momentum {
   double angular_scale = 0;         ///< sum m |x| |v|
 };
 
+/// Sums up linear and angular momentum, with the scales to which drifts are relative.
 template <int d>
 Momentum momentum_of(const Snapshot<d>& snapshot);
 

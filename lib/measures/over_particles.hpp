@@ -21,12 +21,14 @@ T sum_over_particles(Index n, T zero, F&& add) {
   return sum;
 }
 
+/// Shows what a particle adds to momenta: its mass [kg], position [m] and velocity [m/s].
 template <int d>
 struct MovingMass {
   double mass;
   Vec<d> x, v;
 };
 
+/// Sums up the momenta of particles, of which at(i) gives a MovingMass.
 template <int d, class At>
 Momentum momentum_over(Index particles, At&& at) {
   using Sums = Eigen::Matrix<double, 8, 1>;
@@ -48,6 +50,7 @@ Momentum momentum_over(Index particles, At&& at) {
   return p;
 }
 
+/// Returns the smallest box around points [m]; at(i) gives them.
 template <int d, class At>
 Extent<d> extent_over(Index particles, At&& at) {
   Extent<d> e{at(0), at(0)};

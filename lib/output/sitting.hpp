@@ -42,7 +42,7 @@ class Sitting {
   /// made and the sitting is to end; its text says what was kept and where, or why it could not be.
   /// `work` is its share of what tell() was told.
   Json part(const std::string& name, const std::function<Json()>& make, double work = 1);
-  /// The same of a value that lists its members (listed.hpp): a value made now is returned as it is.
+  /// Makes a part out of a value that lists its members (listed.hpp): a value made now is returned as it is.
   template <Listed T>
   T value(const std::string& name, const std::function<T()>& make, double work = 1) {
     std::optional<T> made;

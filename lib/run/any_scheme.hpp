@@ -22,6 +22,7 @@ void for_each_kept_field(State& state, Use&& use) {
   });
 }
 
+/// Copies the fields that a restart needs, in the order of the particles: `places` says where each one is.
 template <class State>
 std::vector<SavedField> saved_fields(State& state, const std::vector<Index>& places) {
   const auto particles = static_cast<Index>(places.size());
@@ -168,6 +169,7 @@ std::optional<Failure> beyond_energy_bound(Moving<M>& moving, const StepControl&
                  "total energy"};
 }
 
+/// Says as a failure of a run what a scheme met in a step.
 inline Failure failure_of(const Trouble& trouble, double time, long step) {
   const Cause cause = trouble.quantity == "residual" ? Cause::no_convergence
                       : std::isfinite(trouble.value) ? Cause::inverted
@@ -175,6 +177,7 @@ inline Failure failure_of(const Trouble& trouble, double time, long step) {
   return {time, step, cause, trouble.particle, trouble.value, trouble.quantity};
 }
 
+/// Makes what the loop over time steps asks of a body out of a scheme and its state.
 template <class M, int d>
 Steps steps_of(const std::shared_ptr<Moving<M>>& moving, const StepControl& control) {
   return {
@@ -257,7 +260,7 @@ requires Scheme<M, d> Simulation<d> as_simulation(const std::shared_ptr<Moving<M
   return simulation;
 }
 
-/// The same for a scheme that starts with that motion.
+/// Makes a Simulation of a scheme that starts with that motion.
 template <int d, class M>
 requires Scheme<M, d> Simulation<d> as_simulation(M scheme, const InitialMotion<d>& initial,
                                                   const StepControl& control) {

@@ -19,7 +19,7 @@ class Frame {
 
   /// Writes it as the next file of the series.
   void write(ParticleSeries& series) const;
-  /// The same as a table, one row a particle.
+  /// Returns its numbers as a table, one row a particle.
   Table table() const;
 
  private:

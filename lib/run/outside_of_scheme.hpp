@@ -18,6 +18,7 @@ bool opens(const M& scheme) {
   return true;
 }
 
+/// Lets the simulation tell the forces of its supports; they are not numbers where the scheme knows none yet.
 template <int d, class Moving>
 void give_reactions(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
   simulation.reactions = [moving] {

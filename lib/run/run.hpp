@@ -31,11 +31,13 @@ struct StepControl {
   std::optional<double> hourglass_bound;
 };
 
+/// Tells why a run ended early.
 enum class Cause { non_finite, inverted, energy_growth, time_step_collapse, hourglass, no_convergence };
 std::string_view name_of(Cause cause);
 /// Returns the cause of that name; std::invalid_argument if there is none.
 Cause cause_named(std::string_view name);
 
+/// Describes the end of a run that could not go on.
 struct Failure {
   double time;  ///< [s]
   long step;
@@ -45,6 +47,7 @@ struct Failure {
   std::string quantity;
 };
 
+/// Holds what a run came to.
 struct RunResult {
   std::optional<Failure> failure;
   bool stopped = false;            ///< by the observer

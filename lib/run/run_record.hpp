@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Of the steps that the control allowed: one that was cut at a multiple of the interval counts in full, and
+/// Holds the lengths of the steps that the control allowed: one that was cut at a multiple of the interval counts in full, and
 /// the one that was cut at the end not at all, unless it is the only one.
 struct StepStatistics {
   double first = 0, least = 0, most = 0, last = 0;  ///< [s]

@@ -23,8 +23,9 @@ Mat<3> in_3d(const Entries& rows, const Mat<3>& rest, Value&& value) {
 
 PathPiece read_piece(const Section& section, int& dimension) {
   PathPiece piece;
-  piece.duration = section.number_or("duration", piece.duration, quantity::time, Sign::positive);
-  piece.steps = section.integer_or("steps", piece.steps, 1);
+  piece.duration = section.number_or({"duration", "time that the piece takes"}, piece.duration,
+                                     quantity::time, Sign::positive);
+  piece.steps = section.integer_or({"steps", "increments of equal length"}, piece.steps, 1);
   const bool by_gradient = section.has("gradient"), by_deformation = section.has("deformation");
   if (by_gradient == by_deformation)
     section.fail(by_gradient ? "deformation" : "gradient",
@@ -34,11 +35,14 @@ PathPiece read_piece(const Section& section, int& dimension) {
                  by_gradient ? "leave one of them out" : "add deformation = [[\"1 + t\", 0], [0, 1]]");
   std::size_t rows = 0;
   if (by_gradient) {
-    const auto L = section.number_rows("gradient", quantity::rate);
+    const auto L =
+        section.number_rows({"gradient", "velocity gradient, constant: rows of numbers"}, quantity::rate);
     piece.gradient = in_3d(L, Mat<3>::Zero(), [](double value) { return value; });
     rows = L.size();
   } else {
-    piece.deformation = section.formula_rows("deformation", quantity::number);
+    piece.deformation = section.formula_rows(
+        {"deformation", "deformation gradient: rows of formulas of the time t since the path began"},
+        quantity::number);
     rows = piece.deformation.size();
   }
   if (dimension == 0) dimension = static_cast<int>(rows);
@@ -72,23 +76,28 @@ PathRow row_of(const MaterialPoint& point, double t, const Mat<3>& F) {
 
 MaterialPath parse_material_path(const std::string& text, const std::string& file_name,
                                  const std::vector<std::string>& overrides) {
-  const TomlValue document = parse_document(text, file_name, overrides);
-  const Section root(document, "");
-  for (const char* name : {"material", "path"}) root.has(name);
+  return material_path_of(parse_document(text, file_name, overrides));
+}
+
+MaterialPath material_path_of(const TomlValue& document, KeyNotes* notes) {
+  const Section root(document, "", notes);
+  root.mark_known({"material", "path"});
   for (const char* other : {"scene", "study"})
-    if (!root.has("path") && root.has(other))
+    if (!document.find("path") && document.find(other))
       root.fail(other, fmt::format("this file is a {}", other), "a path has [path]",
                 other == std::string("scene") ? "plumb run is for scenes" : "plumb mms is for studies");
   root.reject_unknown();
   MaterialPath path;
   path.dimension = 0;
   if (root.is_array("path"))
-    for (const Section& section : root.sections("path"))
+    for (const Section& section :
+         root.sections({"path", "how the point is deformed; several [[path]] follow each other"}))
       path.pieces.push_back(read_piece(section, path.dimension));
   else
     path.pieces.push_back(read_piece(root.section("path"), path.dimension));
   if (path.pieces.empty()) root.fail("path", "no path", "there is nothing to follow", "add [path]");
-  path.material = read_material(root.section("material"), path.dimension, MaterialOf::point);
+  path.material =
+      read_material(root.section({"material", "the law and its numbers"}), path.dimension, MaterialOf::point);
   return path;
 }
 

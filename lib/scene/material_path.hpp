@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lib/input/document.hpp"
+#include "lib/input/key_notes.hpp"
 #include "lib/material/point.hpp"
 #include "lib/scene/scene.hpp"
 
@@ -29,9 +31,12 @@ struct MaterialPath {
 /// Reads and checks a path file: [material], and [path] or several [[path]] that follow each other. Overrides
 /// as in read_scene. Throws SceneError.
 MaterialPath read_material_path(const std::string& path, const std::vector<std::string>& overrides = {});
-/// The same from text; `file_name` is for messages.
+/// Reads and checks a path that is there as text; `file_name` is for messages.
 MaterialPath parse_material_path(const std::string& text, const std::string& file_name,
                                  const std::vector<std::string>& overrides = {});
+/// Reads and checks a path of which the document has been parsed. `notes`: takes down the keys that are asked
+/// for.
+MaterialPath material_path_of(const TomlValue& document, KeyNotes* notes = nullptr);
 
 /// One instant of a path.
 struct PathRow {

@@ -69,9 +69,11 @@ void refuse_more_than_a_bar(const Section& section, int dimension) {
   };
   if (section.has("file")) refuse("file", "particles or a surface of a file");
   if (section.has("hole")) refuse("hole", "a hole");
-  const std::string shape = section.choice_or("shape", "box", shape_names());
+  const std::string shape = section.choice_or({"shape", "what the particles fill"}, "box", shape_names());
   if (shape != "box") refuse("shape", fmt::format("shape \"{}\"", shape));
-  const std::string cloud = section.choice_or("cloud", "lattice", cloud_names());
+  const std::string cloud = section.choice_or(
+      {"cloud", "how particles are placed: on a lattice, or at random with a least distance"}, "lattice",
+      cloud_names());
   if (cloud != "lattice") refuse("cloud", fmt::format("cloud \"{}\"", cloud));
 }
 
@@ -83,16 +85,16 @@ ShapeLengths read_lengths(const Section& section, const std::string& shape, int 
     const auto whole = static_cast<std::size_t>(dimension);
     switch (entry.kind) {
       case ShapeLength::Kind::length:
-        lengths[entry.name] = {section.number(entry.name, quantity::length, Sign::positive)};
+        lengths[entry.name] = {section.number({entry.name, entry.meaning}, quantity::length, Sign::positive)};
         break;
       case ShapeLength::Kind::point:
-        lengths[entry.name] = section.numbers(entry.name, whole, quantity::length);
+        lengths[entry.name] = section.numbers({entry.name, entry.meaning}, whole, quantity::length);
         break;
       case ShapeLength::Kind::direction:
-        lengths[entry.name] = section.numbers(entry.name, whole, quantity::number);
+        lengths[entry.name] = section.numbers({entry.name, entry.meaning}, whole, quantity::number);
         break;
       case ShapeLength::Kind::points:
-        lengths[entry.name] = section.points(entry.name, whole, quantity::length);
+        lengths[entry.name] = section.points({entry.name, entry.meaning}, whole, quantity::length);
         break;
     }
   }
@@ -101,34 +103,37 @@ ShapeLengths read_lengths(const Section& section, const std::string& shape, int 
 
 /// Calls make<dimension>(), and gives its InputError the section's place.
 template <class Make>
-void at_section(const Section& section, int dimension, Make&& make) {
+void at_section(const Section& section, const char* key, int dimension, Make&& make) {
   try {
     if (dimension == 2) make.template operator()<2>();
     if (dimension == 3) make.template operator()<3>();
   } catch (const InputError& error) {
-    section.fail(section.has("file") ? "file" : "shape", error.problem(), error.why(), error.suggestion());
+    section.fail(key, error.problem(), error.why(), error.suggestion());
   }
 }
 
 ShapeChoice read_hole(const Section& section, int dimension) {
-  ShapeChoice hole{section.choice_or("shape", "ball", shape_names()), {}};
+  ShapeChoice hole{section.choice_or({"shape", "what is taken off"}, "ball", shape_names()), {}};
   hole.lengths = read_lengths(section, hole.name, dimension);
-  at_section(section, dimension, [&]<int d>() { shape_named<d>(hole.name, hole.lengths); });
+  at_section(section, "shape", dimension, [&]<int d>() { shape_named<d>(hole.name, hole.lengths); });
   section.reject_unknown();
   return hole;
 }
 
 void read_box(const Section& section, Body& body, int dimension) {
-  body.size = section.numbers("size", static_cast<std::size_t>(dimension), quantity::length, Sign::positive);
+  body.size = section.numbers({"size", "edge lengths of the box"}, static_cast<std::size_t>(dimension),
+                              quantity::length, Sign::positive);
   const int given = static_cast<int>(body.size.size());
   if (given > 3) section.fail("size", fmt::format("{} values", given), "a body has 1, 2 or 3 dimensions");
   body.origin.assign(body.size.size(), 0.0);
-  if (section.has("origin")) body.origin = section.numbers("origin", body.size.size(), quantity::length);
+  if (section.has("origin"))
+    body.origin = section.numbers({"origin", "lowest corner of the box; zeros where it is left out"},
+                                  body.size.size(), quantity::length);
 }
 
 /// Origin and size become those of the box around the shape. One that fills it is a box.
 void take_box(const Section& section, Body& body, int dimension) {
-  at_section(section, dimension, [&]<int d>() {
+  at_section(section, section.has("file") ? "file" : "shape", dimension, [&]<int d>() {
     const Shape<d> shape = shape_named<d>(body.shape, body.lengths);
     const Box<d>& box = shape.box;
     if (!box.size.allFinite())
@@ -152,7 +157,8 @@ void read_shape(const Section& section, Body& body, int dimension) {
 }
 
 void resolve_lattice(const Section& section, Body& body, int dimension) {
-  const auto spacing = section.optional_number("spacing", quantity::length, Sign::positive);
+  const auto spacing = section.optional_number({"spacing", "distance of neighbours on the lattice"},
+                                               quantity::length, Sign::positive);
   const bool counted = section.has("particles");
   if (!spacing && !counted)
     section.fail("spacing", "missing key", "the body has neither spacing nor particles",
@@ -163,8 +169,12 @@ void resolve_lattice(const Section& section, Body& body, int dimension) {
   try {
     std::optional<double> of_counts;
     if (counted) {
-      const long least = body.layout == Layout::node ? 2 : 1;
-      body.particles = section.integers("particles", static_cast<std::size_t>(dimension), least);
+      body.particles =
+          section.integers({"particles", "numbers of particles along the edges, instead of the spacing"},
+                           static_cast<std::size_t>(dimension), 1);
+      for (const long n : body.particles)
+        if (n < 2 && body.layout == Layout::node)
+          section.fail("particles", fmt::format("{} is too small", n), "at least 2");
       of_counts = spacing_of_counts(body);
     }
     if (spacing && of_counts && std::abs(*spacing - *of_counts) > divides * *spacing)
@@ -190,7 +200,9 @@ Body read_body_of_file(const Section& section, int dimension) {
     read_box(section, body, dimension);
   else if (section.has("origin"))
     section.fail("origin", "without size", "the box is that around the points", "leave it out, or give size");
-  for (const Section& hole : section.sections("hole")) body.holes.push_back(read_hole(hole, dimension));
+  for (const Section& hole :
+       section.sections({"hole", "shapes that are taken off the body, one section each"}))
+    body.holes.push_back(read_hole(hole, dimension));
   read_cloud_file(section, body, dimension);
   section.reject_unknown();
   return body;
@@ -232,7 +244,11 @@ Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
   refuse_more_than_a_bar(section, dimension);
   body.shape = section.choice_or("shape", body.shape, shape_names());
-  const bool surface = section.has("file") && is_surface_file(section.text("file"));
+  const bool surface =
+      section.has("file") &&
+      is_surface_file(section.text(
+          {"file",
+           "points that another program placed (CSV, VTK, HDF5), or an STL surface; relative to the scene"}));
   if (section.has("file") && !surface) return read_body_of_file(section, dimension);
   body.cloud = section.choice_or("cloud", body.cloud, cloud_names());
   if (surface) {
@@ -245,13 +261,19 @@ Body read_body(const Section& section, int dimension, bool with_lattice) {
   const int given = static_cast<int>(body.size.size());
   refuse_more_than_a_bar(section, given);  // of a study, whose size says the dimension
   for (const Section& hole : section.sections("hole")) body.holes.push_back(read_hole(hole, given));
-  const std::string layout = section.choice_or("layout", "node", layout_names());
+  const std::string layout = section.choice_or(
+      {"layout",
+       "node: particles on the surface; cell: half a spacing inside; mirror: as cell, with images behind rollers"},
+      "node", layout_names());
   body.layout = layout == "cell" ? Layout::cell : layout == "mirror" ? Layout::mirror : Layout::node;
-  body.jitter = section.number_or("jitter", body.jitter, quantity::number, Sign::not_negative);
+  body.jitter = section.number_or({"jitter", "random displacement of inner particles over the spacing"},
+                                  body.jitter, quantity::number, Sign::not_negative);
   if (body.jitter >= 0.5)
     section.fail("jitter", fmt::format("{} is too large", body.jitter),
                  "it is a fraction of the spacing below 0.5, or particles could meet");
-  body.seed = static_cast<std::uint64_t>(section.integer_or("seed", static_cast<long>(body.seed), 0));
+  body.seed = static_cast<std::uint64_t>(
+      section.integer_or({"seed", "of the random numbers: the same seed gives the same cloud"},
+                         static_cast<long>(body.seed), 0));
   if (with_lattice) resolve_lattice(section, body, given);
   section.reject_unknown();
   return body;

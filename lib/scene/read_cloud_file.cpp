@@ -25,8 +25,7 @@ void refuse_keys_of_lattices(const Section& section) {
 }
 
 /// Positions in metres, `dimension` numbers each.
-std::vector<double> positions_of(const Section& section, const PointFile& file, int dimension) {
-  const double metre = metres_of_unit(section);
+std::vector<double> positions_of(const Section& section, const PointFile& file, double metre, int dimension) {
   std::vector<double> points;
   for (std::size_t k = 0; k < file.count; ++k) {
     if (dimension == 2 && file.positions[3 * k + 2] != 0)
@@ -39,10 +38,9 @@ std::vector<double> positions_of(const Section& section, const PointFile& file, 
 }
 
 /// Volumes in m^d, if the file has them.
-std::vector<double> volumes_of(const Section& section, const PointFile& file, int dimension) {
+std::vector<double> volumes_of(const Section& section, const PointFile& file, double metre, int dimension) {
   const PointColumn* column = file.find({"volume", "volumes"});
   if (column == nullptr) return {};
-  const double metre = metres_of_unit(section);
   std::vector<double> volumes;
   for (std::size_t k = 0; k < file.count; ++k) {
     if (column->components != 1 || !(column->values[k] > 0))
@@ -125,7 +123,8 @@ void refuse_gaps(const Section& section, const Body& body) {
 }  // namespace
 
 std::string file_beside_scene(const Section& section) {
-  const std::string name = section.text("file");
+  const std::string name =
+      section.text({"file", "triangles of a closed surface (STL), relative to the scene"});
   const fs::path beside = fs::path(section.where("file").file).parent_path() / name;
   return fs::exists(beside) ? beside.string() : name;
 }
@@ -133,7 +132,11 @@ std::string file_beside_scene(const Section& section) {
 double metres_of_unit(const Section& section) {
   if (!section.has("unit")) return 1;
   try {
-    return parse_quantity("1 " + section.text("unit"), quantity::length);
+    return parse_quantity(
+        "1 " + section.text(
+                   {"unit",
+                    "what one unit of the file's lengths is, such as \"mm\"; a metre where it is left out"}),
+        quantity::length);
   } catch (const InputError& error) {
     section.fail("unit", error.problem(), error.why(), error.suggestion());
   }
@@ -147,10 +150,11 @@ void read_cloud_file(const Section& section, Body& body, int dimension) {
   refuse_keys_of_lattices(section);
   body.file = file_beside_scene(section);
   body.cloud = "file";
+  const double metre = metres_of_unit(section);
   const PointFile file = read_points(body.file);
   if (file.count < 2) section.fail("file", "it holds one point", "a body has more", "");
-  body.points = positions_of(section, file, dimension);
-  body.volumes = volumes_of(section, file, dimension);
+  body.points = positions_of(section, file, metre, dimension);
+  body.volumes = volumes_of(section, file, metre, dimension);
   if (body.shape == "box" && body.size.empty()) bound(body, dimension);
   const auto given = section.optional_number("spacing", quantity::length, Sign::positive);
   const double measured =

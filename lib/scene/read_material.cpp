@@ -10,8 +10,9 @@ namespace plumb {
 namespace {
 
 void read_elastic(const Section& section, MaterialChoice& material, MaterialOf of) {
-  material.young = section.number("young", quantity::stress, Sign::positive);
-  material.poisson = section.number("poisson", quantity::number);
+  material.young =
+      section.number({"young", "Young's modulus of the reference"}, quantity::stress, Sign::positive);
+  material.poisson = section.number({"poisson", "Poisson's ratio, above -1 and below 0.5"}, quantity::number);
   if (material.poisson >= 0.5)
     section.fail("poisson", fmt::format("{} is too large", material.poisson),
                  "at 0.5 the material is incompressible and its bulk modulus infinite", "use at most 0.4999");
@@ -19,7 +20,7 @@ void read_elastic(const Section& section, MaterialChoice& material, MaterialOf o
     section.fail("poisson", fmt::format("{} is too small", material.poisson),
                  "at -1 the shear modulus is infinite", "common solids have 0 to 0.5");
   if (of == MaterialOf::body || section.has("density"))
-    material.density = section.number("density", quantity::density, Sign::positive);
+    material.density = section.number({"density", "of the reference"}, quantity::density, Sign::positive);
 }
 
 /// The parameters that the law declares; a key of another law stays unknown.
@@ -27,7 +28,7 @@ void read_parameters(const Section& section, MaterialChoice& material) {
   for (const LawParameter& about : parameters_of_law(material.model)) {
     const std::string key(about.name);
     if (!about.required && !section.has(key)) continue;
-    const double value = section.number(key, about.quantity, about.sign);
+    const double value = section.number({key, std::string(about.meaning)}, about.quantity, about.sign);
     if (value > about.most)
       section.fail(key, fmt::format("{} is too large", value), std::string(about.meaning),
                    fmt::format("use at most {}", about.most));
@@ -36,7 +37,9 @@ void read_parameters(const Section& section, MaterialChoice& material) {
 }
 
 void read_plane(const Section& section, MaterialChoice& material, int dimension) {
-  if (section.choice_or("plane", "strain", plane_names()) == "strain") return;
+  if (section.choice_or({"plane", "bodies in 2D: plane strain, or plane stress"}, "strain", plane_names()) ==
+      "strain")
+    return;
   if (dimension != 2)
     section.fail("plane", fmt::format("\"stress\" in {} dimension{}", dimension, dimension == 1 ? "" : "s"),
                  "plane stress is for bodies in 2D", "leave it out");
@@ -50,7 +53,7 @@ void read_plane(const Section& section, MaterialChoice& material, int dimension)
 
 MaterialChoice read_material(const Section& section, int dimension, MaterialOf of) {
   MaterialChoice material;
-  material.model = section.choice_or("model", material.model, material_names());
+  material.model = section.choice_or({"model", "the law"}, material.model, material_names());
   read_elastic(section, material, of);
   read_parameters(section, material);
   read_plane(section, material, dimension);

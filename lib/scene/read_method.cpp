@@ -13,15 +13,24 @@ namespace {
 
 Compatible read_compatible(const Section& root, const Method& method) {
   Compatible compatible;
-  const auto section = root.optional_section("compatible");
+  const auto section =
+      root.optional_section({"compatible", "how the table of gradient = \"compatible\" is made"});
   if (!section) return compatible;
   if (method.gradient != "compatible")
     section->fail("", fmt::format("contradicts gradient = \"{}\"", method.gradient),
                   "it says how the table of gradient = \"compatible\" is made", "leave one of them out");
-  compatible.table = section->choice_or("table", compatible.table, compatible_table_names());
-  compatible.start = section->choice_or("start", compatible.start, start_table_names());
-  compatible.volumes = section->choice_or("volumes", compatible.volumes, compatible_volume_names());
-  compatible.surface = section->choice_or("surface", compatible.surface, compatible_surface_names());
+  compatible.table = section->choice_or(
+      {"table", "closed form on lattices in boxes, or projected; auto: closed form wherever there is one"},
+      compatible.table, compatible_table_names());
+  compatible.start = section->choice_or(
+      {"start", "the table that is projected, or whose weights inside of a lattice are closed at its faces"},
+      compatible.start, start_table_names());
+  compatible.volumes =
+      section->choice_or({"volumes", "found with the area vectors, or fixed as those of Voronoi cells"},
+                         compatible.volumes, compatible_volume_names());
+  compatible.surface =
+      section->choice_or({"surface", "that of the body's shape, or one estimated from the particles"},
+                         compatible.surface, compatible_surface_names());
   if (compatible.table == "closed-form" && compatible.surface == "estimated")
     section->fail("table", "\"closed-form\" contradicts surface = \"estimated\"",
                   "the closed form ends at the faces of the box", "leave one of them out");
@@ -30,7 +39,8 @@ Compatible read_compatible(const Section& root, const Method& method) {
                   "its bonds within a face are not antisymmetric, so "
                   "that only the adjoint form passes the patch test",
                   "use momentum = \"adjoint\" or table = \"projected\"");
-  if (section->has("cache")) compatible.cache = section->text("cache");
+  if (section->has("cache"))
+    compatible.cache = section->text({"cache", "folder of tables that were projected before"});
   section->reject_unknown();
   return compatible;
 }
@@ -98,7 +108,8 @@ void refuse_keys_of_tlsph(const Section& section, const std::string& scheme) {
 
 /// The section of the scheme, and no section of another one.
 void read_scheme(const Section& root, Method& method) {
-  if (const auto section = root.optional_section("element"); section && method.scheme == "element")
+  if (const auto section = root.optional_section({"element", "finite elements on the nodes of a box"});
+      section && method.scheme == "element")
     method.element = ElementOptions::read(*section);
   const bool by_newton = method.scheme == "element" && method.element.by_newton();
   if (method.scheme == "element" && !by_newton && root.has("implicit"))
@@ -109,17 +120,19 @@ void read_scheme(const Section& root, Method& method) {
     if (root.has(name) && method.scheme != name && !(by_newton && std::string_view(name) == "implicit"))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
-  if (const auto section = root.optional_section("mixed")) {
+  if (const auto section = root.optional_section({"mixed", "the mixed scheme, paper 003"})) {
     method.mixed = MixedOptions::read(*section, method.mixed);
     section->reject_unknown();
   }
-  if (const auto section = root.optional_section("implicit"))
+  if (const auto section = root.optional_section(
+          {"implicit", "how equilibria are sought, or steps in time are made, by Newton's method"}))
     method.implicit = ImplicitOptions::read(*section);
-  if (const auto section = root.optional_section("updated")) {
+  if (const auto section = root.optional_section({"updated", "the updated Lagrangian scheme, paper 002"})) {
     method.updated = UpdatedOptions::read(*section, method.updated);
     section->reject_unknown();
   }
-  if (const auto section = root.optional_section("eulerian")) {
+  if (const auto section =
+          root.optional_section({"eulerian", "the scheme with Eulerian kernels, paper 001"})) {
     method.eulerian = EulerianOptions::read(*section, method.eulerian);
     section->reject_unknown();
   }
@@ -138,7 +151,10 @@ void read_scheme(const Section& root, Method& method) {
 
 /// "uniform" (0) or "nearest:12".
 long read_support(const Section& section) {
-  const std::string given = section.text("support"), nearest = "nearest:";
+  const std::string
+      given = section.text(
+          {"support", "\"uniform\", or \"nearest:12\": each particle's support reaches to that neighbour"}),
+      nearest = "nearest:";
   if (given == "uniform") return 0;
   long k = 0;
   const char* end = given.data() + given.size();
@@ -173,32 +189,48 @@ void refuse_beside_plain_kernel(const Section& section, const Method& method) {
 
 Method read_method_section(const Section& root, const Body& body) {
   Method method;
-  const auto section = root.optional_section("method");
+  const auto section = root.optional_section({"method", "the scheme"});
   if (!section) {
     method.gradient = default_gradient(method, body);
     method.beta = default_beta(method, body);
     return method;
   }
   if (section->has("paper")) {
-    method.paper = section->choice_or("paper", "000", paper_names());
+    method.paper = section->choice_or({"paper", "keys that are not given are those of that paper"}, "000",
+                                      paper_names());
     set_paper(method);
   }
-  method.scheme = section->choice_or("scheme", method.scheme, scheme_names());
+  method.scheme = section->choice_or(
+      {"scheme",
+       "total Lagrangian, implicit, mixed, updated Lagrangian, Eulerian kernels, or finite elements"},
+      method.scheme, scheme_names());
   if (has_own_body(method.scheme)) refuse_keys_of_tlsph(*section, method.scheme);
-  method.kernel = section->choice_or("kernel", method.kernel, kernel_names());
-  method.pair = section->choice_or("pair", method.pair, pair_names());
-  method.momentum = section->choice_or("momentum", method.momentum, momentum_names());
-  method.gradient = section->choice_or("gradient", default_gradient(method, body), gradient_names());
-  method.beta = section->number_or("beta", default_beta(method, body), quantity::number, Sign::positive);
+  method.kernel = section->choice_or({"kernel", "the smoothing kernel"}, method.kernel, kernel_names());
+  method.pair = section->choice_or({"pair", "correction of the kernel: constant (W0), linear (W1), or none"},
+                                   method.pair, pair_names());
+  method.momentum =
+      section->choice_or({"momentum", "the form of the internal force"}, method.momentum, momentum_names());
+  method.gradient = section->choice_or({"gradient", "the estimate of the deformation gradient"},
+                                       default_gradient(method, body), gradient_names());
+  method.beta = section->number_or(
+      {"beta",
+       "smoothing length over the spacing; 1.2 where it is left out and a surface cuts a cloud with compatible bonds"},
+      default_beta(method, body), quantity::number, Sign::positive);
   if (method.momentum == "variational" && method.gradient == "compatible")
     section->fail("momentum", R"("variational" contradicts gradient = "compatible")",
                   "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
   if (section->has("support")) method.nearest = read_support(*section);
   refuse_beside_plain_kernel(*section, method);
-  method.integrator = section->choice_or("integrator", method.integrator, integrator_names());
-  method.wave_speed = section->choice_or("wave_speed", method.wave_speed, wave_speed_names());
-  method.time_step = section->optional_number("time_step", quantity::time, Sign::positive);
-  const auto cfl = section->optional_number("cfl", quantity::number, Sign::positive);
+  method.integrator =
+      section->choice_or({"integrator", "the rule of the time steps"}, method.integrator, integrator_names());
+  method.wave_speed = section->choice_or(
+      {"wave_speed", "what the step follows: the speed of linear waves, or that of the stretched body"},
+      method.wave_speed, wave_speed_names());
+  method.time_step = section->optional_number({"time_step", "fixed step in time, instead of one by cfl"},
+                                              quantity::time, Sign::positive);
+  const auto cfl =
+      section->optional_number({"cfl", "the step over the time in which a wave crosses a smoothing length"},
+                               quantity::number, Sign::positive);
   if (cfl && method.time_step)
     section->fail("time_step", "contradicts cfl", "the step is either fixed or follows from cfl",
                   "leave one of them out");
@@ -226,7 +258,7 @@ Method read_method(const Section& root, const Body& body) {
   read_scheme(root, method);
   method.compatible = read_compatible(root, method);
   for_each_part(method, [&]<class Part>(std::optional<Part>& part) {
-    const auto section = root.optional_section(std::string(Part::section));
+    const auto section = root.optional_section({std::string(Part::section), std::string(Part::meaning)});
     if (!section) {
       if constexpr (std::is_same_v<Part, JstOptions>)
         if (method.paper == "000") part = JstOptions{};  // paper 000 has one

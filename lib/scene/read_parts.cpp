@@ -15,7 +15,9 @@ std::array<double, 3> read_spin(const Section& section, int dimension) {
   if (dimension == 1)
     section.fail("spin", "in one dimension", "a bar moves along its line and does not turn", "give velocity");
   if (dimension == 2 && !section.is_array("spin"))
-    return {0.0, 0.0, section.number("spin", quantity::angular_velocity)};
+    return {0.0, 0.0,
+            section.number({"spin", "angular velocity about the centre of mass; about z in 2D"},
+                           quantity::angular_velocity)};
   const auto spin = section.numbers("spin", 3, quantity::angular_velocity);
   if (dimension == 2 && (spin[0] != 0.0 || spin[1] != 0.0))
     section.fail("spin", "leaves the plane", "in 2D a body turns about z only", "write [0, 0, w]");
@@ -23,27 +25,35 @@ std::array<double, 3> read_spin(const Section& section, int dimension) {
 }
 
 Face read_face(const Section& section, int dimension) {
-  const std::string name = section.choice_or("face", "", face_names(dimension));
+  const std::string name = section.choice_or({"face", "the face of the body's box where the boundary is"}, "",
+                                             face_names(dimension));
   return {name[0] - 'x', name[1] == '-' ? -1 : +1};
 }
 
 /// The key that bears the name of the kind, and the ramp.
 void read_what_is_prescribed(const Section& section, int dimension, const std::string& kind,
                              Boundary& boundary) {
-  const auto formulas = [&](const char* key, const Quantity& quantity) {
+  const auto formulas = [&](const Key& key, const Quantity& quantity) {
     return section.formulas(key, dimension, quantity, Variables::space_and_time);
   };
   for (const char* key : {"velocity", "displacement", "traction", "pressure"})
     if (section.has(key) && kind != key)
       section.fail(key, fmt::format("contradicts kind = \"{}\"", kind),
                    fmt::format("only kind = \"{}\" has one", key), "leave it out or change the kind");
-  if (boundary.kind == BoundaryKind::velocity) boundary.velocity = formulas("velocity", quantity::velocity);
+  if (boundary.kind == BoundaryKind::velocity)
+    boundary.velocity = formulas({"velocity", "formulas of X, Y, Z, t"}, quantity::velocity);
   if (boundary.kind == BoundaryKind::displacement)
-    boundary.displacement = formulas("displacement", quantity::length);
-  if (boundary.kind == BoundaryKind::traction) boundary.traction = formulas("traction", quantity::stress);
+    boundary.displacement = formulas({"displacement", "formulas of X, Y, Z, t"}, quantity::length);
+  if (boundary.kind == BoundaryKind::traction)
+    boundary.traction =
+        formulas({"traction", "force per reference area, keeps its direction; formulas of X, Y, Z, t"},
+                 quantity::stress);
   if (boundary.kind == BoundaryKind::pressure)
-    boundary.pressure = section.formula("pressure", dimension, quantity::stress, Variables::space_and_time);
-  boundary.ramp = section.optional_number("ramp", quantity::time, Sign::positive);
+    boundary.pressure =
+        section.formula({"pressure", "into the body, follows the surface; formula of X, Y, Z, t"}, dimension,
+                        quantity::stress, Variables::space_and_time);
+  boundary.ramp = section.optional_number({"ramp", "what is prescribed grows smoothly from 0 in this time"},
+                                          quantity::time, Sign::positive);
   if (boundary.ramp && (kind == "clamped" || kind == "roller"))
     section.fail("ramp", fmt::format("contradicts kind = \"{}\"", kind),
                  "nothing is prescribed that could grow", "leave it out");
@@ -59,10 +69,13 @@ Boundary read_boundary(const Section& section, int dimension) {
     section.fail("", "missing key face or where", "a boundary must say where it is",
                  fmt::format("add face = \"{}\"", face_names(dimension).front()));
   if (on_face) boundary.face = read_face(section, dimension);
-  if (by_formula) boundary.where = section.formula("where", dimension, quantity::number);
+  if (by_formula)
+    boundary.where = section.formula(
+        {"where", "condition on X, Y, Z that picks the particles of the boundary, such as \"Z < 0.1\""},
+        dimension, quantity::number);
   if (!section.has("kind"))
     section.fail("kind", "missing key", "it has no default", "valid: " + join(boundary_kind_names()));
-  const std::string kind = section.choice_or("kind", "", boundary_kind_names());
+  const std::string kind = section.choice_or({"kind", "what is prescribed there"}, "", boundary_kind_names());
   boundary.kind = boundary_kind_named(kind);
   if (boundary.kind == BoundaryKind::roller && by_formula)
     section.fail("kind", "a roller needs a face", "a set of particles has no normal direction",
@@ -84,8 +97,9 @@ void require_material(const Section& section, const Body& body, const Probe& pro
 
 Probe read_probe(const Section& section, const Body& body) {
   Probe probe;
-  probe.name = section.text("name");
-  probe.at = section.numbers("at", body.size.size(), quantity::length);
+  probe.name = section.text({"name", "what results call it"});
+  probe.at = section.numbers({"at", "reference point; the nearest particle is followed"}, body.size.size(),
+                             quantity::length);
   for (std::size_t k = 0; k < body.size.size(); ++k) {
     const double from_origin = probe.at[k] - body.origin[k];
     const double margin = 1e-9 * body.size[k];  // rounding of typed coordinates
@@ -102,7 +116,8 @@ Probe read_probe(const Section& section, const Body& body) {
 
 /// Names of the catalogue, each once.
 std::vector<std::string> read_fields(const Section& section) {
-  std::vector<std::string> fields = section.texts("fields");
+  std::vector<std::string> fields =
+      section.texts({"fields", "fields of files beside displacement and velocity"}, output_field_names());
   const auto valid = output_field_names();
   for (auto at = fields.begin(); at != fields.end(); ++at) {
     if (std::find(valid.begin(), valid.end(), *at) == valid.end()) {
@@ -119,17 +134,23 @@ std::vector<std::string> read_fields(const Section& section) {
 }  // namespace
 
 std::optional<Initial> read_initial(const Section& root, int dimension) {
-  const auto section = root.optional_section("initial");
+  const auto section = root.optional_section({"initial", "what the body starts with"});
   if (!section) return std::nullopt;
   Initial initial;
   const bool formulas = section->has("velocity");
   const bool spins = section->has("spin");
   const bool displaced = section->has("displacement");
-  if (displaced) initial.displacement = section->formulas("displacement", dimension, quantity::length);
-  if (formulas) initial.velocity = section->formulas("velocity", dimension, quantity::velocity);
+  if (displaced)
+    initial.displacement =
+        section->formulas({"displacement", "formulas of X, Y, Z"}, dimension, quantity::length);
+  if (formulas)
+    initial.velocity = section->formulas({"velocity", "formulas of X, Y, Z"}, dimension, quantity::velocity);
   if (spins) initial.spin = read_spin(*section, dimension);
   const bool warm = section->has("temperature");
-  if (warm) initial.temperature = section->formula("temperature", dimension, JohnsonCook::kelvin);
+  if (warm)
+    initial.temperature =
+        section->formula({"temperature", "formula of X, Y, Z, for a law that has a temperature"}, dimension,
+                         JohnsonCook::kelvin);
   if (formulas && spins)
     section->fail("spin", "contradicts velocity", "the initial velocity is given by one of them",
                   "add the spin to the formulas");
@@ -142,7 +163,7 @@ std::optional<Initial> read_initial(const Section& root, int dimension) {
 
 std::vector<Boundary> read_boundaries(const Section& root, int dimension) {
   std::vector<Boundary> boundaries;
-  for (const auto& section : root.sections("boundary")) {
+  for (const auto& section : root.sections({"boundary", "what is held or loaded, one section each"})) {
     const Boundary boundary = read_boundary(section, dimension);
     const bool taken =
         boundary.face && std::any_of(boundaries.begin(), boundaries.end(), [&](const auto& other) {
@@ -157,16 +178,21 @@ std::vector<Boundary> read_boundaries(const Section& root, int dimension) {
 }
 
 std::optional<Output> read_output(const Section& root, const Body& body) {
-  const auto section = root.optional_section("output");
+  const auto section = root.optional_section({"output", "what is written; without it the summary only"});
   if (!section) return std::nullopt;
   Output output;
-  output.every = section->optional_number("every", quantity::time, Sign::positive);
-  output.checkpoint = section->optional_number("checkpoint", quantity::time, Sign::positive);
-  output.vtk = section->flag_or("vtk", output.vtk);
-  output.series = section->flag_or("series", output.series);
-  output.budget = section->flag_or("budget", output.budget);
+  output.every = section->optional_number(
+      {"every", "time from one row and frame to the next; without it the first and the last state"},
+      quantity::time, Sign::positive);
+  output.checkpoint = section->optional_number(
+      {"checkpoint", "time between files from which a run can go on"}, quantity::time, Sign::positive);
+  output.vtk = section->flag_or({"vtk", "particles as .vtp files with a .pvd"}, output.vtk);
+  output.series =
+      section->flag_or({"series", "energies, momenta and probes against time as CSV"}, output.series);
+  output.budget = section->flag_or(
+      {"budget", "momenta and energy by the cause that changed them, every step, as CSV"}, output.budget);
   if (section->has("fields")) output.fields = read_fields(*section);
-  for (const auto& part : section->sections("probe")) {
+  for (const auto& part : section->sections({"probe", "particles that are followed, one section each"})) {
     const Probe probe = read_probe(part, body);
     for (const auto& other : output.probes)
       if (other.name == probe.name)

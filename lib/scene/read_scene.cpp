@@ -98,32 +98,35 @@ void refuse_restless(const Section& root, const Scene& scene) {
 
 Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides) {
-  const TomlValue document = parse_document(text, file_name, overrides, scene_alternatives());
-  const Section root(document, "");
-  for (const char* name :
-       {"scene", "body", "material", "load", "initial", "boundary", "contact", "relaxation", "output"})
-    root.has(name);
-  for (const auto& name : method_sections()) root.has(name);
-  if (!root.has("scene") && root.has("study"))
+  return scene_of(parse_document(text, file_name, overrides, scene_alternatives()), file_name);
+}
+
+Scene scene_of(const TomlValue& document, const std::string& file_name, KeyNotes* notes) {
+  const Section root(document, "", notes);
+  root.mark_known(
+      {"scene", "body", "material", "load", "initial", "boundary", "contact", "relaxation", "output"});
+  root.mark_known(method_sections());
+  if (!document.find("scene") && document.find("study"))
     root.fail("study", "this file is a study", "a scene has [scene]", "use plumb mms for studies");
   root.reject_unknown();
   Scene scene;
-  const Section head = root.section("scene");
-  scene.name = head.text_or("name", std::filesystem::path(file_name).stem().string());
-  if (!head.has("dimension"))
-    head.fail("dimension", "missing key", "it has no default", "add dimension = 1, 2 or 3");
-  scene.dimension = static_cast<int>(std::min(head.integer_or("dimension", 0, 0), 9L));
+  const Section head = root.section({"scene", "what is computed, and for how long"});
+  scene.name = head.text_or({"name", "what results call it; the file's name where it is left out"},
+                            std::filesystem::path(file_name).stem().string());
+  scene.dimension = static_cast<int>(
+      std::min(head.integer({"dimension", "1 (uniaxial strain), 2 (plane strain or stress) or 3"}, 0), 9L));
   if (scene.dimension < 1 || scene.dimension > 3)
     head.fail("dimension", std::to_string(scene.dimension) + " is not possible",
               "bodies have 1 (uniaxial strain), 2 (plane strain) or 3", "write 1, 2 or 3");
-  scene.end_time = head.optional_number("end_time", quantity::time, Sign::positive);
-  scene.max_steps = head.optional_integer("max_steps", 1);
+  scene.end_time = head.optional_number({"end_time", "end of the run"}, quantity::time, Sign::positive);
+  scene.max_steps = head.optional_integer({"max_steps", "most steps of the run"}, 1);
   head.reject_unknown();
   if (!scene.end_time && !scene.max_steps)
     head.fail("end_time", "missing key", "neither end_time nor max_steps says when to stop",
               "add end_time = \"0.1 s\" or max_steps = 100");
-  scene.body = read_body(root.section("body"), scene.dimension, true);
-  scene.material = read_material(root.section("material"), scene.dimension);
+  scene.body = read_body(root.section({"body", "particles that fill a shape, or those of a file"}),
+                         scene.dimension, true);
+  scene.material = read_material(root.section({"material", "the law and its numbers"}), scene.dimension);
   scene.method = read_method(root, scene.body);
   refuse_history(root, scene.material, scene.method);
   refuse_on_a_line(root, scene.dimension, scene.method);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "lib/input/document.hpp"
+#include "lib/input/key_notes.hpp"
 #include "lib/input/scene_error.hpp"
 #include "lib/scene/scene.hpp"
 
@@ -19,8 +21,12 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
 std::map<std::string, std::string> scene_settings(const std::string& path,
                                                   const std::vector<std::string>& overrides = {});
 
-/// The same from text; `file_name` is for messages.
+/// Reads and checks a scene that is there as text; `file_name` is for messages.
 Scene parse_scene(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides = {});
+
+/// Reads and checks a scene of which the document has been parsed. `notes`: takes down the keys that are
+/// asked for.
+Scene scene_of(const TomlValue& document, const std::string& file_name, KeyNotes* notes = nullptr);
 
 }  // namespace plumb

@@ -29,8 +29,8 @@ void read_surface_file(const Section& section, Body& body, int dimension) {
     if (section.has(key))
       section.fail(key, "contradicts file", "the surface in the file is the body's shape", "leave it out");
   const std::string path = file_beside_scene(section);
-  std::vector<Triangle> triangles = parse_stl(read_text(path), path);
   const double metre = metres_of_unit(section);
+  std::vector<Triangle> triangles = parse_stl(read_text(path), path);
   for (Triangle& triangle : triangles)
     for (Vec<3>& corner : triangle) corner *= metre;
   if (dimension == 3) {

@@ -144,6 +144,7 @@ struct Face {
   friend bool operator==(const Face&, const Face&) = default;
 };
 
+/// Tells what a boundary prescribes.
 enum class BoundaryKind {
   clamped,       ///< velocity zero
   roller,        ///< normal velocity zero; faces only

@@ -25,7 +25,7 @@ bool has_own_body(const std::string& scheme);
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start);
 
-/// The same with everything from the scene.
+/// Makes the scheme that the scene names, with its cloud, actions and first motion from the scene, too.
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene);
 

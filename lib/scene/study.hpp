@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lib/input/document.hpp"
+#include "lib/input/key_notes.hpp"
 #include "lib/input/scene_error.hpp"
 #include "lib/scene/scene.hpp"
 
@@ -52,9 +54,15 @@ struct Study {
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {},
                  const std::vector<std::string>& solutions = {}, StudyOf use = StudyOf::space);
 
-/// The same from text; `file_name` is for messages.
+/// Reads and checks a study that is there as text; `file_name` is for messages.
 Study parse_study(const std::string& text, const std::string& file_name,
                   const std::vector<std::string>& overrides = {},
                   const std::vector<std::string>& solutions = {}, StudyOf use = StudyOf::space);
+
+/// Reads and checks a study of which the document has been parsed. `notes`: takes down the keys that are
+/// asked for.
+Study study_of(const TomlValue& document, const std::string& file_name,
+               const std::vector<std::string>& solutions, StudyOf use = StudyOf::space,
+               KeyNotes* notes = nullptr);
 
 }  // namespace plumb

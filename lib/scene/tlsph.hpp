@@ -35,11 +35,12 @@ BondOptions<d> bond_options(const Scene& scene, double spacing);
 template <int d>
 TlsphBody<d> make_tlsph(const Scene& scene);
 
-/// The same with particles that [body] cannot describe. gradient = "compatible" needs their surface; if it is
+/// Makes the body out of particles that [body] cannot describe. gradient = "compatible" needs their surface; if it is
 /// not given it is estimated from the particles (shape_around), with a warning.
 template <int d>
 TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface = std::nullopt);
 
+/// Lists the arrays that the body holds, with their bytes.
 template <int d>
 std::vector<ArrayEntry> arrays_of(const TlsphBody<d>& simulation);
 

@@ -16,7 +16,7 @@ namespace {
 /// The wall's name: the second of `between`.
 std::string read_between(const Section& section, const std::string& otherwise) {
   if (!section.has("between")) return otherwise;
-  const std::vector<std::string> names = section.texts("between");
+  const std::vector<std::string> names = section.texts({"between", "names of the body and of the wall"});
   if (names.size() != 2)
     section.fail("between", fmt::format("{} names", names.size()), "a contact is between a body and a wall",
                  "write between = [\"body\", \"wall\"]");
@@ -25,8 +25,8 @@ std::string read_between(const Section& section, const std::string& otherwise) {
 
 void read_plane(const Section& section, int dimension, ContactOptions& contact) {
   const auto count = static_cast<std::size_t>(dimension);
-  contact.point = section.numbers("point", count, quantity::length);
-  contact.normal = section.numbers("normal", count, quantity::number);
+  contact.point = section.numbers({"point", "a point of the plane"}, count, quantity::length);
+  contact.normal = section.numbers({"normal", "direction out of the wall"}, count, quantity::number);
   double square = 0;
   for (const double n : contact.normal) square += n * n;
   if (square == 0)
@@ -62,7 +62,8 @@ ContactOptions read_contact(const Section& section, int dimension, const std::st
   section.has("file") ? read_triangles(section, dimension, contact) : read_plane(section, dimension, contact);
   if (section.has("displacement"))
     for (const Expression& formula :
-         section.formulas("displacement", dimension, quantity::length, Variables::space_and_time)) {
+         section.formulas({"displacement", "motion of the wall, formulas of t"}, dimension, quantity::length,
+                          Variables::space_and_time)) {
       // a rigid wall has one displacement at a time
       contact.displacement.push_back(formula);
       for (const double X : {1.0, -3.0})
@@ -70,8 +71,11 @@ ContactOptions read_contact(const Section& section, int dimension, const std::st
           section.fail("displacement", "it depends on the place", "a wall is rigid, and does not turn",
                        "write formulas of t");
     }
-  contact.stiffness = section.optional_number("stiffness", quantity::stress, Sign::positive);
-  contact.friction = section.number_or("friction", 0, quantity::number, Sign::not_negative);
+  contact.stiffness =
+      section.optional_number({"stiffness", "E* of Hertz; E/(1 - nu^2) of the body where it is left out"},
+                              quantity::stress, Sign::positive);
+  contact.friction =
+      section.number_or({"friction", "Coulomb's coefficient"}, 0, quantity::number, Sign::not_negative);
   section.reject_unknown();
   return contact;
 }
@@ -98,7 +102,8 @@ std::function<BesideSurface<d>(const Vec<d>&)> wall_surface(const ContactOptions
 
 std::vector<ContactOptions> read_contacts(const Section& root, int dimension) {
   std::vector<ContactOptions> contacts;
-  for (const Section& section : root.sections("contact")) {
+  for (const Section& section :
+       root.sections({"contact", "rigid walls, planes or closed surfaces of triangles, one section each"})) {
     const std::string name = contacts.empty() ? "wall" : fmt::format("wall {}", contacts.size() + 1);
     ContactOptions contact = read_contact(section, dimension, name);
     if (std::any_of(contacts.begin(), contacts.end(),

@@ -8,6 +8,7 @@
 /// Loops over all slots of a table, block by block.
 namespace plumb {
 
+/// Returns how many blocks hold all slots of the table.
 template <int d>
 Index block_count(const BondTable<d>& t) {
   return (t.slots.count() + block_slots - 1) / block_slots;

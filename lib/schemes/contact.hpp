@@ -82,6 +82,7 @@ class Contact {
   Field acceleration_;
 };
 
+/// Reads the point of a wall to which friction holds particle i: components first to first + d - 1 [m].
 template <int d>
 Vec<d> anchor_of(const Field& anchors, int first, Index i) {
   Vec<d> at;
@@ -89,11 +90,13 @@ Vec<d> anchor_of(const Field& anchors, int first, Index i) {
   return at;
 }
 
+/// Writes the point that anchor_of() reads.
 template <int d>
 void set_anchor(Field& anchors, int first, Index i, const Vec<d>& at) {
   for (int k = 0; k < d; ++k) anchors[first + k][i] = at[k];
 }
 
+/// Returns how far the wall has moved at that time [m].
 template <int d>
 Vec<d> moved_by(const RigidWall<d>& wall, double time) {
   return wall.displacement ? wall.displacement(time) : Vec<d>(Vec<d>::Zero());

@@ -27,6 +27,7 @@ inline Pack<W> bond_number(const AlignedVector& values, std::int64_t n) {
   return Pack<W>::load(values.data() + n * W);
 }
 
+/// Loads and stores the vectors or tensors of the W slots from `slot` on.
 template <int d, int W>
 inline Vec<d, Pack<W>> load_vector(const Field& field, Index slot) {
   Vec<d, Pack<W>> v;
@@ -50,6 +51,7 @@ inline void store_tensor(const Mat<d, Pack<W>>& A, Field& field, Index slot) {
     for (int b = 0; b < d; ++b) A(a, b).store(field[a * d + b] + slot);
 }
 
+/// Multiplies small matrices and vectors entry by entry, in a fixed order of the sums.
 template <int d, class T>
 inline Vec<d, T> times(const Mat<d, T>& A, const Vec<d, T>& x) {
   Vec<d, T> y;

@@ -11,6 +11,7 @@
 /// What schemes whose neighbours change share.
 namespace plumb {
 
+/// Says from how many particles on a loop is shared among threads.
 constexpr Index particles_for_threads = 1000;
 
 /// Calls use(i) for all particles, side by side; what it writes must be i's own.

@@ -107,7 +107,7 @@ class OutsideForces {
   Index count() const { return static_cast<Index>(mass_.size()); }
   /// Multiplies the velocity of what is free by 1 + change, and returns the work of that [J].
   double damp(double change, Field& v) const;
-  /// Of accelerations that have changed the velocities of this step by so much, up to v [J].
+  /// Returns the work of accelerations that have changed the velocities of this step by so much, up to v [J].
   double work_of(const Field& change, const Field& v) const;
   void subtract_others(double weight);
   void damp_half(double dt, Field& v, OutsideWork& work) const;

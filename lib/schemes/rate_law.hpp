@@ -81,7 +81,7 @@ class RateLaw {
   double sound_speed() const { return std::sqrt(bulk / density); }  ///< c_0 [m/s]: of the bulk modulus
   /// p [Pa] at that density (4), or the tension limit.
   double pressure(double rho) const { return std::max(bulk * (rho / density - 1), least_pressure_); }
-  /// Of compression, per mass [J/kg]: the integral of p drho/rho^2. Without the tension limit.
+  /// Returns the energy of compression per mass [J/kg]: the integral of p drho/rho^2. Without the tension limit.
   double compression_energy(double rho) const {
     return bulk / density * (std::log(rho / density) + density / rho - 1);
   }

@@ -10,6 +10,7 @@ enum class WaveSpeed {
   stretch_inverse  ///< C_p^Lin over the mean least stretch: as (32) prints it
 };
 
+/// Translates between wave speeds and their names in scenes. InputError names the nearest valid name.
 std::string_view name_of(WaveSpeed speed);
 WaveSpeed wave_speed_named(std::string_view name);
 

@@ -13,7 +13,7 @@ struct Growth {
 template <int d>
 Growth dense_damped_growth(LinearOperator<d>& op, const SparseMatrix& K);
 
-/// The same for large bodies, by Arnoldi's method on the motion after some time. THEORY (9.7). `largest`: of
+/// Finds the growth of large bodies, by Arnoldi's method on the motion after some time. THEORY (9.7). `largest`: of
 /// K. Throws std::runtime_error if there is growth and the iteration does not converge.
 template <int d>
 Growth damped_growth(LinearOperator<d>& op, const SparseMatrix& K, double largest);

@@ -14,7 +14,7 @@ class LatticeSymbol {
 
   /// g(theta): the scheme's gradient of exp(i theta . X / d) is i g / d times it; exact would be theta.
   Vec<d> gradient(const Vec<d>& theta) const;
-  /// The same of the force weights: the divergence that the momentum form makes; equal to g for the adjoint
+  /// Returns g(theta) of the force weights: the divergence that the momentum form makes; equal to g for the adjoint
   /// form.
   Vec<d> divergence(const Vec<d>& theta) const;
   /// D(theta): omega^2 (d/c_p)^2 are its eigenvalues; symmetric if gradient and divergence agree.

@@ -7,6 +7,7 @@
 
 namespace plumb {
 
+/// Tells rigid motions, waves that the particles resolve, and modes of the discretisation alone.
 enum class ModeKind { rigid, smooth, spurious };
 
 /// One mode of the linearised operator.

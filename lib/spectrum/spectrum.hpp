@@ -36,6 +36,7 @@ struct Spectrum {
 /// An asymmetry below this is rounding: the force has an energy.
 inline constexpr double symmetric_to_rounding = 1e-11;
 
+/// Chooses how much of a spectrum is computed.
 struct SpectrumOptions {
   Index dense_limit = 1200;  ///< unknowns up to which all eigenvalues are computed
   int low_modes = 24;        ///< as many low modes as are wanted

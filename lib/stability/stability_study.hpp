@@ -43,6 +43,7 @@ std::vector<std::string> overrides_of(const StabilityStudy& study, const Variant
 /// The scene of that run. A twist multiplies the formulas of initial.velocity.
 Scene varied_scene(const StabilityStudy& study, const std::vector<std::string>& overrides, double value);
 
+/// Returns the name of the parameter in study files.
 std::string name_of(EdgeParameter parameter);
 
 }  // namespace plumb

@@ -32,6 +32,12 @@ files() { find / -xdev -not -path '/proc/*' -not -path '/sys/*' -not -path '/pac
   -not -path '/var/lib/apt/*' -not -path '/var/cache/*' -not -path '/var/log/*' -not -path '/var/lib/dpkg/*' | sort; }
 apt-get update -q
 apt-get install -q -y --no-install-recommends /packages/plumbline_*.deb
+! dpkg -s libbenchmark1 >/dev/null 2>&1 || { echo "the program of users carries Google Benchmark"; exit 1; }
+! plumb faults 2>said || exit 1
+grep >/dev/null "a command of plumb-house" said
+apt-get install -q -y --no-install-recommends /packages/plumbline-house_*.deb
+(cd /usr/share/plumbline && plumb faults | grep >/dev/null caught)
+test -s /usr/share/man/man1/plumb-house.1.gz
 cd /tmp
 plumb --version
 plumb
@@ -52,10 +58,10 @@ python3 -B /packages/source/tests/interface/interface_test.py
 apt-get install -q -y --no-install-recommends gfortran python3-numpy
 time /packages/source/tests/house/tutorial.sh /usr /tmp/tutorial
 # gone without a trace
-dpkg -L plumbline libplumbline-dev libplumbline-c1 python3-plumbline | sort -u >/packages/owned
-apt-get purge -q -y plumbline libplumbline-dev libplumbline-c1 python3-plumbline
+dpkg -L plumbline plumbline-house libplumbline-dev libplumbline-c1 python3-plumbline | sort -u >/packages/owned
+apt-get purge -q -y plumbline plumbline-house libplumbline-dev libplumbline-c1 python3-plumbline
 files >/packages/after
-! dpkg -l plumbline libplumbline-dev libplumbline-c1 python3-plumbline 2>/dev/null | grep '^ii' || { echo "still installed"; exit 1; }
+! dpkg -l plumbline plumbline-house libplumbline-dev libplumbline-c1 python3-plumbline 2>/dev/null | grep '^ii' || { echo "still installed"; exit 1; }
 while read -r path; do [ -d "$path" ] || ! grep -qxF "$path" /packages/after || { echo "left behind: $path"; exit 1; }; done </packages/owned
 ! grep plumb /packages/after || { echo "left behind"; exit 1; }
 echo "installed, used, removed"

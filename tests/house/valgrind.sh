@@ -1,7 +1,7 @@
 #!/bin/bash
 # valgrind.sh [PLUMB]: memcheck over short runs of the program: scenes of every kind with all that they can write, a run that goes on from
 # its checkpoint, explain, the table of bad inputs, studies. Two minutes of one core. PLUMB is a binary without AVX-512, which valgrind
-# 3.19 does not know: cmake --preset package && cmake --build --preset package --target plumb. Exit code 1 on an error or a lost block.
+# 3.19 does not know: cmake --preset package && cmake --build --preset package --target plumb-house (which builds plumb). Exit code 1 on an error or a lost block.
 set -uo pipefail
 # Possibly lost are the stacks of OpenMP's threads, which live to the end of the program (CHOLMOD starts four, whatever is asked for).
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -10,12 +10,14 @@ work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 export OMP_NUM_THREADS=1  # with more the program would start itself again, outside of valgrind, to let them sleep
 bad=0 seen=0
 
-# clean CODE ARGUMENTS..: plumb with these arguments ends with CODE, and valgrind has nothing to say
+# clean CODE ARGUMENTS..: plumb with these arguments ends with CODE, and valgrind has nothing to say. `refusals` is of plumb-house, which
+# plumb would start outside of valgrind.
 clean() {
-  local code=$1
+  local code=$1 program=$plumb
   shift
+  [ "$1" = refusals ] && program=$plumb-house
   valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect --show-leak-kinds=definite,indirect \
-    --log-file="$work/valgrind.txt" "$plumb" "$@" >"$work/out.txt" 2>&1
+    --log-file="$work/valgrind.txt" "$program" "$@" >"$work/out.txt" 2>&1
   local ended=$?
   seen=$((seen + 1))
   if [ $ended = "$code" ] && ! [ -s "$work/valgrind.txt" ]; then echo "clean: plumb $*" && return; fi

@@ -1,4 +1,4 @@
-// `plumb bench`: its numbers depend on the machine, its counts do not.
+// `plumb-house bench`: its numbers depend on the machine, its counts do not.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -28,6 +28,7 @@ struct Place {
   Place() {
     std::filesystem::create_symlink(PLUMBLINE_SOURCE_DIR "/verification", folder / "verification");
     std::filesystem::create_symlink(PLUMB_EXECUTABLE, folder / "plumb");
+    std::filesystem::create_symlink(PLUMB_EXECUTABLE "-house", folder / "plumb-house");
   }
   test::Outcome run(const std::string& line) const {
     return run_shell("cd '" + folder.path().string() + "' && PATH=.:$PATH && export OMP_NUM_THREADS=1 && " +
@@ -41,7 +42,9 @@ TEST(Help, EveryCommandHasAnExampleThatRuns) {
   for (const auto& command : all) {
     const auto help = run_plumb(command + " --help");
     ASSERT_EQ(help.code, 0) << command;
-    const auto at = help.out.find("Example: plumb " + command.substr(0, command.find(' ')));
+    const std::string first = command.substr(0, command.find(' '));
+    const auto at =
+        std::min(help.out.find("Example: plumb " + first), help.out.find("Example: plumb-house " + first));
     ASSERT_NE(at, std::string::npos) << help.out;
     const std::string line = help.out.substr(at + 9, help.out.find('\n', at) - at - 9);
     const auto outcome = Place().run(line);
@@ -98,7 +101,7 @@ TEST(Completion, BashOffersCommandsMembersAndOptions) {
 }
 
 TEST(Completion, BashKnowsEveryCommandOfTheHelp) {
-  for (const auto& command : commands()) {
+  for (const auto& command : test::commands_of(PLUMB_EXECUTABLE)) {
     const auto space = command.find(' ');
     const auto offered = space == std::string::npos
                              ? completions("plumb \"\"")
@@ -120,30 +123,36 @@ TEST(Completion, ZshTakesTheScriptAndDefinesAFunctionForEveryCommand) {
                 " && zsh -f -c 'autoload -Uz compinit && fpath=(. $fpath) && compinit -u -D && "
                 "autoload +X _plumb && _plumb 2>/dev/null; print -l ${(k)functions} ${_comps[plumb]}'");
   EXPECT_TRUE(contains(defined.out, "\n_plumb\n")) << defined.error;
-  for (auto command : commands()) {
+  for (auto command : test::commands_of(PLUMB_EXECUTABLE)) {
     for (char& c : command)
       if (c == ' ') c = '_';
     EXPECT_TRUE(contains(defined.out, "_plumb_" + command + "\n")) << defined.out;
   }
 }
 
-TEST(Manual, IsSoundRoffAndNamesEveryCommandAndItsExample) {
+class Manual : public testing::TestWithParam<const char*> {};
+
+TEST_P(Manual, IsSoundRoffAndNamesEveryCommandAndItsExample) {
   const test::TemporaryFolder folder;
-  const std::string file = (folder / "plumb.1").string();
-  ASSERT_EQ(run_shell(PLUMB_EXECUTABLE " manual > " + file).code, 0);
+  const std::string name = GetParam(), program = PLUMB_EXECUTABLE + name.substr(5),
+                    file = (folder / (name + ".1")).string();
+  ASSERT_EQ(run_shell(program + " manual > " + file).code, 0);
   const auto lint = run_shell("mandoc -T lint -W warning " + file);
   EXPECT_EQ(lint.code, 0) << lint.out;
   const auto page = run_shell("mandoc -T ascii -O width=300 " + file + " | sed 's/.\\x08//g'");
   ASSERT_EQ(page.code, 0);
-  for (const auto& command : commands()) {
-    EXPECT_TRUE(contains(page.out, "   plumb " + command + "\n")) << command;
-    const auto help = run_plumb(command + " --help").out;
+  EXPECT_TRUE(contains(page.out, name + " - ")) << page.out.substr(0, 300);
+  for (const auto& command : test::commands_of(program)) {
+    EXPECT_TRUE(contains(page.out, "   " + name + " " + command + "\n")) << command;
+    const auto help = run_shell(program + " " + command + " --help").out;
     const auto at = help.find("Example: ");
     const std::string example = help.substr(at + 9, help.find('\n', at) - at - 9);
     EXPECT_TRUE(contains(page.out, " " + example + "\n")) << example;
   }
   EXPECT_TRUE(contains(page.out, "EXIT STATUS"));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, Manual, testing::Values("plumb", "plumb-house"));
 
 }  // namespace
 }  // namespace plumb

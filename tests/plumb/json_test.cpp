@@ -74,6 +74,9 @@ const std::vector<std::string> calls{
     "new scene {}/first",
     "new study {}/order",
     "report --only kernels --out {}/report",
+    "schema study",
+    "schema result",
+    "keys path",
     "manual",
     "completion bash",
     "completion zsh"};

@@ -20,17 +20,25 @@ inline std::vector<std::string> listed(const std::string& help, const std::strin
   return names;
 }
 
-/// All subcommands as the help names them, "oned study" among them.
-inline std::vector<std::string> commands() {
+/// All subcommands of a program as its help names them, "oned study" among them.
+inline std::vector<std::string> commands_of(const std::string& program) {
   std::vector<std::string> all;
-  const std::string help = run_plumb("").out;
+  const std::string help = run_shell(program).out;
   for (const char* heading :
        {"\nCommands:\n", "\nCommands for studies:\n", "\nCommands about Plumbline itself:\n"})
     for (const auto& name : listed(help, heading)) {
       all.push_back(name);
-      for (const auto& member : listed(run_plumb(name + " --help").out, "Subcommands:\n"))
+      for (const auto& member : listed(run_shell(program + " " + name + " --help").out, "Subcommands:\n"))
         all.push_back(fmt::format("{} {}", name, member));
     }
+  return all;
+}
+
+/// All that `plumb` takes: its own, and those that it hands over to plumb-house.
+inline std::vector<std::string> commands() {
+  auto all = commands_of(PLUMB_EXECUTABLE);
+  for (const auto& name : commands_of(PLUMB_EXECUTABLE "-house"))
+    if (name != "manual") all.push_back(name);
   return all;
 }
 

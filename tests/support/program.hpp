@@ -29,4 +29,9 @@ inline Outcome run_plumb(const std::string& arguments) {
   return run_shell(PLUMB_EXECUTABLE " " + arguments);
 }
 
+/// Runs `plumb-house ARGUMENTS`.
+inline Outcome run_house(const std::string& arguments) {
+  return run_shell(PLUMB_EXECUTABLE "-house " + arguments);
+}
+
 }  // namespace plumb::test

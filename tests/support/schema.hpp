@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -52,15 +53,26 @@ class Schema {
       complain(fmt::format("{} entries", value.size()));
     if (word == "maxItems" && value.is_array() && value.size() > rule.get<std::size_t>())
       complain(fmt::format("{} entries", value.size()));
+    if (word == "minLength" && value.is_string() && value.get<std::string>().size() < rule.get<std::size_t>())
+      complain("the string is too short");
+    if (word == "minimum" && value.is_number() && value < rule)
+      complain(fmt::format("{} is less than {}", value.dump(), rule.dump()));
+    if (word == "exclusiveMinimum" && value.is_number() && value <= rule)
+      complain(fmt::format("{} is not more than {}", value.dump(), rule.dump()));
+    if (word == "pattern" && value.is_string() &&
+        !std::regex_search(value.get<std::string>(), std::regex(rule.get<std::string>())))
+      complain(fmt::format("{} does not match {}", value.dump(), rule.dump()));
     if (word == "required" && value.is_object())
       for (const auto& key : rule)
         if (!value.contains(key.get<std::string>())) complain("no " + key.dump());
   }
 
   Complaints check(const Json& value, const Json& schema, const std::string& place) const {
-    static const std::set<std::string> known{"$schema", "title",    "description", "$defs",
-                                             "if",      "then",     "type",        "const",
-                                             "enum",    "minItems", "maxItems",    "required"};
+    static const std::set<std::string> known{
+        "$schema",  "title",    "description", "$defs",   "if",
+        "then",     "type",     "const",       "enum",    "minItems",
+        "maxItems", "required", "minLength",   "minimum", "exclusiveMinimum",
+        "pattern",  "default"};
     Complaints out;
     const auto add = [&out](const Complaints& more) { out.insert(out.end(), more.begin(), more.end()); };
     for (const auto& [word, rule] : schema.items()) {
@@ -69,6 +81,13 @@ class Schema {
       } else if (word == "properties") {
         for (const auto& [key, part] : rule.items())
           if (value.is_object() && value.contains(key)) add(check(value.at(key), part, place + "." + key));
+      } else if (word == "additionalProperties") {
+        const Json none = Json::object(), &members = value.is_object() ? value : none;
+        for (const auto& [key, part] : members.items()) {
+          if (schema.contains("properties") && schema.at("properties").contains(key)) continue;
+          if (rule.is_boolean() && !rule.get<bool>()) out.push_back(place + ": unknown key \"" + key + "\"");
+          if (rule.is_object()) add(check(part, rule, place + "." + key));
+        }
       } else if (word == "items") {
         for (std::size_t k = 0; value.is_array() && k < value.size(); ++k)
           add(check(value[k], rule, fmt::format("{}[{}]", place, k)));

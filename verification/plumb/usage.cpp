@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "lib/core/error.hpp"
+#include "verification/plumb/hand_over.hpp"
 
 namespace plumb::app {
 namespace {
@@ -21,7 +22,7 @@ bool any(const CLI::App*) {
 /// study".
 const CLI::App* culprit(const CLI::App& program, std::string& path) {
   const CLI::App* app = &program;
-  path = "plumb";
+  path = program.get_name();
   while (app->remaining().empty() && !app->get_subcommands().empty()) {
     app = app->get_subcommands().back();
     path += " " + app->get_name();
@@ -36,10 +37,18 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+/// Names of the subcommands right below, and of those that are handed over.
+std::vector<std::string> callable_names(const CLI::App& app) {
+  auto names = command_names(app);
+  if (app.get_name() == "plumb")
+    for (auto& name : house_words()) names.push_back(std::move(name));
+  return names;
+}
+
 std::string unexpected(const CLI::App& app, const std::string& path, const std::string& argument) {
   if (argument.size() > 1 && argument[0] == '-')
     return unknown_name("option", argument.substr(0, argument.find('=')), option_names(app)).what();
-  const auto commands = command_names(app);
+  const auto commands = callable_names(app);
   if (!commands.empty()) return unknown_name("command", argument, commands).what();
   return sentences(fmt::format("unexpected argument \"{}\"", argument), "",
                    fmt::format("see {} --help", path));
@@ -98,25 +107,32 @@ Group group_of(const std::string& command) {
 }  // namespace
 
 std::string first_steps(const CLI::App& program) {
-  std::string text = program.get_description() + "\n\nTry first:\n";
-  for (const auto& [line, meaning] : first_calls()) text += fmt::format("  {}\n      {}\n", line, meaning);
+  const bool house = program.get_name() != "plumb";
+  std::string text = program.get_description() + "\n";
+  if (!house) text += "\nTry first:\n";
+  if (!house)
+    for (const auto& [line, meaning] : first_calls()) text += fmt::format("  {}\n      {}\n", line, meaning);
   std::size_t width = 0;
   for (const auto& name : command_names(program)) width = std::max(width, name.size());
   for (const auto& [heading, group] :
        {std::pair("Commands", Group::first), std::pair("Commands for studies", Group::study),
         std::pair("Commands about Plumbline itself", Group::house)}) {
+    if (house && group != Group::house) continue;
     text += fmt::format("\n{}:\n", heading);
     for (const CLI::App* command : program.get_subcommands(any))
       if (group_of(command->get_name()) == group)
         text += fmt::format("  {:<{}}  {}\n", command->get_name(), width, command->get_description());
   }
-  return text +
-         "\nplumb help COMMAND explains one, with an example; plumb manual | man -l - explains all.\n"
-         "plumb --version says what this build is.\n";
+  if (!house)
+    text += "\nplumb-house has the commands that check Plumbline itself: " + join(house_words()) + ".\n";
+  return text + fmt::format(
+                    "\n{0} help COMMAND explains one, with an example; {0} manual | man -l - explains all.\n"
+                    "{0} --version says what this build is.\n",
+                    program.get_name());
 }
 
-std::string shell_line(const std::vector<std::string>& arguments) {
-  std::string line = "plumb";
+std::string shell_line(const std::vector<std::string>& arguments, const std::string& program) {
+  std::string line = program;
   for (const auto& argument : arguments) {
     if (!argument.empty() && argument.find_first_not_of(plain_characters) == std::string::npos) {
       line += " " + argument;
@@ -141,7 +157,7 @@ std::vector<std::string> with_help_option(const CLI::App& program, std::vector<s
       continue;
     }
     if (std::find(commands.begin(), commands.end(), argument) == commands.end()) {
-      if (asked) throw unknown_name("command", argument, commands);
+      if (asked) throw unknown_name("command", argument, callable_names(*app));
       break;
     }
     words.push_back(argument);

@@ -44,11 +44,11 @@ std::string example_of(const CLI::App& app);
 /// Whether a value follows the option; a flag has none.
 bool takes_value(const CLI::Option& option);
 
-/// What `plumb` alone prints: what to try first.
+/// What the program alone prints: what to try first, and its commands.
 std::string first_steps(const CLI::App& program);
 
-/// The arguments as one line that a shell takes back, with "plumb" for the program.
-std::string shell_line(const std::vector<std::string>& arguments);
+/// The arguments as one line that a shell takes back, behind the name of the program.
+std::string shell_line(const std::vector<std::string>& arguments, const std::string& program = "plumb");
 
 /// The arguments with the word "help" in the place of a subcommand put as --help behind what it is about:
 /// "help oned study" and "oned help study" as "oned study --help"; "help" alone as nothing. Throws InputError

@@ -9,9 +9,9 @@ struct Annulus {
   template <int d>
   static constexpr bool dimensions = true;
   static std::vector<ShapeLength> lengths() {
-    return {{"centre", ShapeLength::Kind::point, false},
-            {"inner", ShapeLength::Kind::length},
-            {"outer", ShapeLength::Kind::length}};
+    return {{"centre", "zeros where it is left out", ShapeLength::Kind::point, false},
+            {"inner", "inner radius", ShapeLength::Kind::length},
+            {"outer", "outer radius", ShapeLength::Kind::length}};
   }
 
   std::vector<double> centre;

@@ -9,7 +9,8 @@ struct Ball {
   template <int d>
   static constexpr bool dimensions = true;
   static std::vector<ShapeLength> lengths() {
-    return {{"centre", ShapeLength::Kind::point, false}, {"radius", ShapeLength::Kind::length}};
+    return {{"centre", "zeros where it is left out", ShapeLength::Kind::point, false},
+            {"radius", "of the ball or the cylinder", ShapeLength::Kind::length}};
   }
 
   std::vector<double> centre;

@@ -12,7 +12,8 @@ struct Cuboid {
   template <int d>
   static constexpr bool dimensions = true;
   static std::vector<ShapeLength> lengths() {
-    return {{"origin", ShapeLength::Kind::point, false}, {"size", ShapeLength::Kind::point}};
+    return {{"origin", "lowest corner; zeros where it is left out", ShapeLength::Kind::point, false},
+            {"size", "edge lengths", ShapeLength::Kind::point}};
   }
 
   std::vector<double> origin, size;

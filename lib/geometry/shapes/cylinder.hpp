@@ -9,9 +9,9 @@ struct Cylinder {
   template <int d>
   static constexpr bool dimensions = d == 3;
   static std::vector<ShapeLength> lengths() {
-    return {{"centre", ShapeLength::Kind::point, false},
-            {"radius", ShapeLength::Kind::length},
-            {"length", ShapeLength::Kind::length}};
+    return {{"centre", "zeros where it is left out", ShapeLength::Kind::point, false},
+            {"radius", "of the ball or the cylinder", ShapeLength::Kind::length},
+            {"length", "of the cylinder", ShapeLength::Kind::length}};
   }
 
   std::vector<double> centre;

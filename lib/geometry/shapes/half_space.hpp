@@ -9,7 +9,8 @@ struct HalfSpace {
   template <int d>
   static constexpr bool dimensions = true;
   static std::vector<ShapeLength> lengths() {
-    return {{"point", ShapeLength::Kind::point}, {"normal", ShapeLength::Kind::direction}};
+    return {{"point", "a point of the plane", ShapeLength::Kind::point},
+            {"normal", "direction out of the material", ShapeLength::Kind::direction}};
   }
 
   std::vector<double> point, normal;

@@ -12,7 +12,9 @@ struct Polygon {
   static constexpr std::string_view name = "polygon";
   template <int d>
   static constexpr bool dimensions = d == 2;
-  static std::vector<ShapeLength> lengths() { return {{"corners", ShapeLength::Kind::points}}; }
+  static std::vector<ShapeLength> lengths() {
+    return {{"corners", "the corners in order", ShapeLength::Kind::points}};
+  }
 
   std::vector<Vec<2>> corners;
   Vec<2> lower, upper;  ///< of the box around

@@ -14,7 +14,9 @@ struct Polyhedron {
   static constexpr std::string_view name = "polyhedron";
   template <int d>
   static constexpr bool dimensions = d == 3;
-  static std::vector<ShapeLength> lengths() { return {{"corners", ShapeLength::Kind::points}}; }
+  static std::vector<ShapeLength> lengths() {
+    return {{"corners", "three corners of each triangle", ShapeLength::Kind::points}};
+  }
 
   std::shared_ptr<const ClosedSurface> surface;
   explicit Polyhedron(const ShapeLengths& l) {

@@ -105,7 +105,7 @@ struct J2Logarithmic {
             back.increment.iterations};
   }
 
-  /// Of the algorithm: the derivative of what stress() returns, with the history of before the increment.
+  /// Returns the tangent of the algorithm: the derivative of what stress() returns, with the history of before the increment.
   Mat<9> tangent(const Mat<3>& F, const History& before) const {
     const LogarithmicStrain e(F * before.Cp_inverse * F.transpose());
     const Return back = mapped(e, before);

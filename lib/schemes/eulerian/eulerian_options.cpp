@@ -8,34 +8,44 @@ namespace plumb {
 namespace {
 
 void read_numbers(const Section& section, EulerianOptions& o) {
-  const auto read = [&](const char* key, double& value) {
+  const auto read = [&](const Key& key, double& value) {
     value = section.number_or(key, value, quantity::number, Sign::not_negative);
   };
-  read("xi", o.xi);
-  read("zeta", o.zeta);
-  read("chi", o.chi);
+  read({"xi", "of the stiffness control (32)"}, o.xi);
+  read({"zeta", "of the viscous control (33)"}, o.zeta);
+  read({"chi", "share of the viscous control in the mixed one (34)"}, o.chi);
   if (o.chi > 1)
     section.fail("chi", fmt::format("{:g} is more than the whole", o.chi),
                  "it is the share of the viscous control", "0.5 is that of paper 001");
-  read("viscosity_linear", o.viscosity_linear);
-  read("viscosity_quadratic", o.viscosity_quadratic);
-  read("artificial_stress", o.artificial_stress);
-  read("artificial_exponent", o.artificial_exponent);
-  read("diffusion", o.diffusion);
-  o.beta = section.number_or("beta", o.beta, quantity::number, Sign::positive);
+  read({"viscosity_linear", "alpha of the artificial viscosity (17)"}, o.viscosity_linear);
+  read({"viscosity_quadratic", "beta of the artificial viscosity (17)"}, o.viscosity_quadratic);
+  read({"artificial_stress", "epsilon of (11)"}, o.artificial_stress);
+  read({"artificial_exponent", "n of (11), the power of its weight"}, o.artificial_exponent);
+  read({"diffusion", "delta of the diffusion of density (21)"}, o.diffusion);
+  o.beta = section.number_or({"beta", "smoothing length over the spacing"}, o.beta, quantity::number,
+                             Sign::positive);
   if (o.beta <= 0.5)
     section.fail("beta", fmt::format("a support of {:g} spacings holds no neighbour", 2 * o.beta),
                  "particles of a lattice are one spacing apart", "the paper has 1.3");
-  o.skin = section.number_or("skin", o.skin, quantity::number, Sign::positive);
-  if (const auto steps = section.optional_integer("rereference", 1)) o.rereference = *steps;
+  o.skin = section.number_or({"skin", "how many spacings farther the list of neighbours looks"}, o.skin,
+                             quantity::number, Sign::positive);
+  if (const auto steps = section.optional_integer(
+          {"rereference",
+           "steps from one reference of hourglass control to the next; each new list where it is left out"},
+          1))
+    o.rereference = *steps;
 }
 
 }  // namespace
 
 EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o) {
-  o.force = section.choice_or("force", o.force, {"adjoint", "printed"});
-  o.damping = section.choice_or("damping", o.damping, {"objective", "extrapolated", "none"});
-  o.hourglass = section.choice_or("hourglass", o.hourglass, {"stiffness", "viscous", "mixed", "none"});
+  o.force = section.choice_or({"force", "minus the power of the stress, or the printed (10), (11)"}, o.force,
+                              {"adjoint", "printed"});
+  o.damping = section.choice_or({"damping", "half of the stress increment, extrapolated velocities, or none"},
+                                o.damping, {"objective", "extrapolated", "none"});
+  o.hourglass = section.choice_or(
+      {"hourglass", "control of hourglass modes: stiffness (32), viscous (33), mixed (34), or none"},
+      o.hourglass, {"stiffness", "viscous", "mixed", "none"});
   read_numbers(section, o);
   const auto refuse_unused = [&](const char* key, bool used, const char* of) {
     if (section.has(key) && !used)
@@ -49,7 +59,9 @@ EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o)
   if (section.has("artificial_exponent") && o.artificial_stress == 0)
     section.fail("artificial_exponent", "there is no artificial stress", "it is the power of its weight",
                  "give artificial_stress, too, or leave it out");
-  if (section.has("misprints")) o.misprints = section.texts("misprints");
+  if (section.has("misprints"))
+    o.misprints = section.texts({"misprints", "equations of the paper that are taken as they are printed"},
+                                {"32", "33"});
   for (const std::string& equation : o.misprints)
     if (equation != "32" && equation != "33")
       section.fail("misprints", fmt::format("there is none of ({})", equation),

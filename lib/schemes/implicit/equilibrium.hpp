@@ -23,7 +23,7 @@ template <int d>
 StaticResult<d> find_equilibrium(const Solid<d>& solid, const Actions<d>& actions, double end_time,
                                  const ImplicitOptions& options, State<d>& state,
                                  const OnLoadStep& on_step = {});
-/// The same for any energy.
+/// Finds the equilibrium of whatever has an energy.
 template <int d>
 StaticResult<d> find_equilibrium(StoredEnergy<d> energy, const Actions<d>& actions, double end_time,
                                  const ImplicitOptions& options, BodyMotion& motion,

@@ -11,19 +11,25 @@ namespace plumb {
 
 ImplicitOptions ImplicitOptions::read(const Section& section) {
   ImplicitOptions options;
-  options.time_step = section.optional_number("time_step", quantity::time, Sign::positive);
+  options.time_step = section.optional_number({"time_step", "length of the steps, instead of their number"},
+                                              quantity::time, Sign::positive);
   if (options.time_step && section.has("steps"))
     section.fail("steps", "contradicts time_step", "the steps to the end time follow from their length",
                  "leave one of them out");
-  options.steps = section.integer_or("steps", options.steps, 1);
-  options.adaptive = section.flag_or("adaptive", options.adaptive);
-  options.tolerance = section.number_or("tolerance", options.tolerance, quantity::number, Sign::positive);
+  options.steps = section.integer_or({"steps", "load steps to the end time"}, options.steps, 1);
+  options.adaptive = section.flag_or(
+      {"adaptive", "steps are halved on failure, and grow where Newton's method is quick"}, options.adaptive);
+  options.tolerance = section.number_or({"tolerance", "residual relative to the forces"}, options.tolerance,
+                                        quantity::number, Sign::positive);
   if (options.tolerance >= 1)
     section.fail("tolerance", fmt::format("{:g} is no tolerance", options.tolerance),
                  "it is a share of the forces", "give a number below 1, such as 1e-10");
-  if (section.choice_or("solver", "direct", {"direct", "iterative"}) == "iterative")
+  if (section.choice_or({"solver", "of the linear systems: factors of the tangent, or conjugate gradients"},
+                        "direct", {"direct", "iterative"}) == "iterative")
     options.solver = LinearSolver::iterative;
-  const std::string dynamics = section.choice_or("dynamics", "none", {"none", "midpoint", "energy-momentum"});
+  const std::string dynamics =
+      section.choice_or({"dynamics", "none: equilibria; else the rule of steps in time"}, "none",
+                        {"none", "midpoint", "energy-momentum"});
   options.midpoint = dynamics == "midpoint";
   options.energy_momentum = dynamics == "energy-momentum";
   if (options.energy_momentum && options.solver == LinearSolver::iterative)

@@ -15,7 +15,7 @@ struct KernelSums {
 /// f_h of (37).
 inline constexpr double smoothing_factor = 0.6;
 
-/// Of the quadratic kernel, up to a factor that corrections cancel, times h^d: -(dW/dr)/r and W, with 1/h.
+/// Evaluates the quadratic kernel, up to a factor that corrections cancel, times h^d: -(dW/dr)/r and W, with 1/h.
 /// Distances never reach 2h, since h is at least 0.6 r.
 template <class T>
 T kernel_slope(const T& r, const T& inverse_h) {

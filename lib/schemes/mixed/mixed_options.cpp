@@ -7,17 +7,26 @@
 namespace plumb {
 
 MixedOptions MixedOptions::read(const Section& section, MixedOptions o) {
-  o.volumes = section.choice_or("volumes", o.volumes, {"equal", "tributary"});
-  o.kinematics = section.choice_or("kinematics", o.kinematics, {"tied", "evolved"});
-  o.upwind = section.choice_or("upwind", o.upwind, {"none", "constant", "reconstructed", "adjoint"});
-  const long option = section.integer_or("option", o.option, 0);
+  o.volumes =
+      section.choice_or({"volumes", "weights in the kernel sums: equal, or tributary as (41) has them"},
+                        o.volumes, {"equal", "tributary"});
+  o.kinematics = section.choice_or(
+      {"kinematics", "tied: H = cof F, J = det F; evolved: unknowns of their own, (55), (56)"}, o.kinematics,
+      {"tied", "evolved"});
+  o.upwind = section.choice_or({"upwind", "dissipation between pairs; reconstructed is the paper's"},
+                               o.upwind, {"none", "constant", "reconstructed", "adjoint"});
+  const long option = section.integer_or(
+      {"option", "0: the reference is never updated; 1 to 4: kernels of (49) to (52)"}, o.option, 0);
   if (option > 4)
     section.fail("option", fmt::format("there is no option {}", option),
                  "0 keeps the reference, 1 to 4 are those of the paper", "give 0, 1, 2, 3 or 4");
   o.option = static_cast<int>(option);
-  o.update_every = section.integer_or("update_every", o.update_every, 1);
-  o.smooth_positions = section.flag_or("smooth_positions", o.smooth_positions);
-  o.list = section.number_or("list", o.list, quantity::number, Sign::positive);
+  o.update_every = section.integer_or(
+      {"update_every", "steps between updates of the reference, if option is not 0"}, o.update_every, 1);
+  o.smooth_positions =
+      section.flag_or({"smooth_positions", "particles move with the smoothed velocity"}, o.smooth_positions);
+  o.list = section.number_or({"list", "radius of the list of neighbours over the spacing"}, o.list,
+                             quantity::number, Sign::positive);
   if (o.list <= 1)
     section.fail("list", fmt::format("a radius of {:g} spacings holds no neighbour", o.list),
                  "particles of a lattice are one spacing apart", "1.75 holds all that touch by a corner");

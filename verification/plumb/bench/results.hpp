@@ -5,7 +5,7 @@
 #include "verification/plumb/bench/cases.hpp"
 #include "verification/plumb/bench/machine.hpp"
 
-/// What `plumb bench` writes, from what it has measured.
+/// What `plumb-house bench` writes, from what it has measured.
 namespace plumb::app::bench {
 
 using Json = nlohmann::ordered_json;

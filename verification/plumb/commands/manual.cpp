@@ -1,5 +1,7 @@
 #include "verification/plumb/shell/manual.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -10,17 +12,18 @@
 
 namespace plumb::app {
 
-/// `plumb manual`: the manual page, from the same texts as the help.
+/// `plumb manual`, `plumb-house manual`: the manual page, from the same texts as the help.
 void add_manual(CLI::App& program, Session& session) {
-  add_command(
-      program, session,
-      {"manual", "the manual page of all commands: plumb manual | man -l -", "plumb manual > plumb.1"}, {},
-      [&session, &program] {
-        const std::string page = manual(program, version(), commit_date());
-        session.text() << page << std::flush;
-        session.write_json({{"text", page}});
-        return 0;
-      });
+  const std::string name = program.get_name();
+  add_command(program, session,
+              {"manual", fmt::format("the manual page of all commands: {} manual | man -l -", name),
+               fmt::format("{0} manual > {0}.1", name)},
+              {}, [&session, &program] {
+                const std::string page = manual(program, version(), commit_date());
+                session.text() << page << std::flush;
+                session.write_json({{"text", page}});
+                return 0;
+              });
 }
 
 }  // namespace plumb::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <set>
 
 #include "lib/convergence/norm_units.hpp"
@@ -52,8 +53,9 @@ std::string option_entry(const CLI::Option& option) {
   return fmt::format(".TP\n{}\n{}\n", option_head(option), plain(text));
 }
 
-std::string command_entry(const std::string& path, const CLI::App& app) {
-  std::string text = fmt::format(".SS {}\n{}\n", plain("plumb " + path), plain(app.get_description()) + ".");
+std::string command_entry(const std::string& program, const std::string& path, const CLI::App& app) {
+  std::string text =
+      fmt::format(".SS {}\n{}\n", plain(program + " " + path), plain(app.get_description()) + ".");
   for (const CLI::Option* option : app.get_options())
     if (option != app.get_help_ptr() && option->get_group() != shared_options) text += option_entry(*option);
   if (const auto example = example_of(app); !example.empty())
@@ -75,17 +77,23 @@ std::string shared_entries(const CLI::App& program) {
 }  // namespace
 
 std::string manual(const CLI::App& program, const std::string& version, const std::string& date) {
-  std::string text = fmt::format(
-      ".\\\" Made by `plumb manual`: do not edit.\n.TH PLUMB 1 \"{}\" \"Plumbline {}\"\n.SH NAME\n", date,
-      version);
-  const std::string description = program.get_description();
-  text += "plumb \\- " + plain(description.substr(description.find(": ") + 2)) + "\n";
-  text += ".SH SYNOPSIS\n" + bold("plumb") + " \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH FIRST STEPS\n.nf\n";
-  for (const auto& [line, meaning] : first_calls()) text += plain(line) + "\n    " + plain(meaning) + "\n";
-  text += ".fi\n.SH OPTIONS OF ALL COMMANDS\nTables and pictures only where a command makes them.\n" +
+  const std::string name = program.get_name(), description = program.get_description();
+  std::string title = name;
+  for (char& c : title) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  std::string text =
+      fmt::format(".\\\" Made by `{} manual`: do not edit.\n.TH {} 1 \"{}\" \"Plumbline {}\"\n.SH NAME\n",
+                  name, plain(title), date, version);
+  text += plain(name) + " \\- " + plain(description.substr(description.find(": ") + 2)) + "\n";
+  text += ".SH SYNOPSIS\n" + bold(name) + " \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
+  if (name == "plumb") {
+    text += ".SH FIRST STEPS\n.nf\n";
+    for (const auto& [line, meaning] : first_calls()) text += plain(line) + "\n    " + plain(meaning) + "\n";
+    text += ".fi\n";
+  }
+  text += ".SH OPTIONS OF ALL COMMANDS\nTables and pictures only where a command makes them.\n" +
           shared_entries(program);
   text += ".SH COMMANDS\n" + plain(where_examples_run) + "\n";
-  for (const auto& [path, app] : every_command(program)) text += command_entry(path, *app);
+  for (const auto& [path, app] : every_command(program)) text += command_entry(name, path, *app);
   text += ".SH VERDICTS\n";
   for (const VerdictWord& one : verdict_words)
     text += fmt::format(".TP\n{}\n{}\n", bold(std::string(one.word)), plain(std::string(one.meaning)));

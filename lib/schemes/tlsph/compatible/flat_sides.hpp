@@ -33,7 +33,7 @@ struct FlatSide {
 template <int d>
 std::optional<std::vector<FlatSide<d>>> flat_sides(const std::vector<Facet<d>>& facets, double spacing);
 
-/// The same for all facets of a side.
+/// Returns the areas of the particles for all facets of a side [m^(d-1)].
 template <int d>
 std::vector<AreaShare> all_areas(const FlatSide<d>& side) {
   return side.areas([](Index) { return true; });

@@ -117,7 +117,7 @@ Outcome evaluate(const Solid<d>& solid, const std::vector<Term<d>>& terms, Works
   return {};
 }
 
-/// The same with the terms of the body.
+/// Evaluates the forces with the terms of the body, as the evaluate() above does with those that it is given.
 template <int d, class Update>
 Outcome evaluate(const Solid<d>& solid, Workspace<d>& workspace, State<d>& state, double time,
                  Update&& update, const Arm<d>& arm = {}) {

@@ -11,6 +11,7 @@
 /// The loops of laws with history, slot by slot in three dimensions.
 namespace plumb {
 
+/// Returns F in three dimensions; directions that it lacks are not stretched.
 template <int d>
 Mat<3> with_unit_thickness(const Mat<d>& F) {
   Mat<3> whole = Mat<3>::Identity();
@@ -40,6 +41,7 @@ Tangent<d> increment_tangent(const M& law, const Mat<d>& F, const typename M::Hi
   return part_in<d>(law.tangent(with_unit_thickness<d>(F), before));
 }
 
+/// Makes the history of every particle of a table, as the law begins with it.
 template <int d, HistoryLaw M>
 std::shared_ptr<BodyHistory<d>> make_history(const M& law, const BondTable<d>& bonds) {
   using History = typename M::History;

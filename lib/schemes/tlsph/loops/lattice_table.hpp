@@ -46,6 +46,7 @@ struct LatticeTable {
   std::size_t bytes() const;
 };
 
+/// Makes the table of a lattice out of the table of its bonds.
 template <int d>
 LatticeTable<d> make_lattice_table(const BondTable<d>& bonds);
 

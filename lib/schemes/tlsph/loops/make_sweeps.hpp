@@ -28,7 +28,8 @@ Sweeps<d> sweeps_over(const M& material, const Gradient& gradient) {
   return s;
 }
 
-/// The same, or if there are images the same with what they do to F. Their force is a term (mirror_term()).
+/// Makes the sweeps of sweeps_over(), with what images do to F if there are any. Their force is a term
+/// (mirror_term()).
 template <int d, int W, MaterialModel<d> M, class Gradient>
 Sweeps<d> sweeps_with_images(const M& material, const BondTable<d>& all, const Gradient& gradient) {
   if (!all.mirror) return sweeps_over<d, W>(material, gradient);

@@ -150,6 +150,7 @@ template <int d>
 Solid<d> make_solid(Cloud<d> cloud, std::string_view material, const Elastic& elastic,
                     const BondOptions<d>& options);
 
+/// Adds a term to the force of the body, behind those that it has.
 template <int d>
 void add_term(Solid<d>& solid, Term<d> term);
 

@@ -191,6 +191,7 @@ inline Pack<W> square_distance(const BondTable<d>& bonds, const Field& u, Index 
   return lesser_where_positive(square, none, reference);
 }
 
+/// Returns the smallest of the lanes.
 template <int W>
 inline double least_lane(Pack<W> values) {
   double least = values[0];

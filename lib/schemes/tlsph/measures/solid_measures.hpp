@@ -16,6 +16,7 @@ Energy energy_of(const Solid<d>& solid, const State<d>& state);
 template <int d>
 double energy_round_off(const Solid<d>& solid);
 
+/// Sums up the momenta of a state, and finds the smallest box around its particles [m].
 template <int d>
 Momentum momentum_of(const Solid<d>& solid, const State<d>& state);
 template <int d>

@@ -8,7 +8,8 @@
 namespace plumb {
 
 std::optional<DampingOptions> DampingOptions::read(const Section& section) {
-  const double rate = section.number("rate", quantity::rate, Sign::not_negative);
+  const double rate =
+      section.number({"rate", "free motion decays by exp(-rate t/2)"}, quantity::rate, Sign::not_negative);
   if (rate == 0) return std::nullopt;
   return DampingOptions{rate};
 }

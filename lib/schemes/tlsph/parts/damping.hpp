@@ -13,6 +13,7 @@ struct PartSite;
 /// [damping] of a scene or study; without the section nothing of it is built. It needs no memory.
 struct DampingOptions {
   static constexpr std::string_view section = "damping", subject = "damping", theory = "THEORY (6.6)";
+  static constexpr std::string_view meaning = "damping proportional to the mass";
 
   double rate = 0;  ///< [1/s]: free motion decays by exp(-rate t/2)
 

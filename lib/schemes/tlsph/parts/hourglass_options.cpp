@@ -11,9 +11,13 @@ namespace plumb {
 
 std::optional<HourglassOptions> HourglassOptions::read(const Section& section) {
   HourglassOptions hourglass;
-  hourglass.weight = section.choice_or("weight", hourglass.weight, {"kernel", "slope"});
+  hourglass.weight = section.choice_or(
+      {"weight", "of the bonds: the kernel, or minus its slope times the distance (paper 004)"},
+      hourglass.weight, {"kernel", "slope"});
   if (hourglass.weight == "slope") hourglass.alpha = 1;  // as paper 004
-  hourglass.alpha = section.number_or("alpha", hourglass.alpha, quantity::number, Sign::not_negative);
+  hourglass.alpha = section.number_or(
+      {"alpha", "strength; the larger, the less alternating motion and the stiffer a coarse bend"},
+      hourglass.alpha, quantity::number, Sign::not_negative);
   if (hourglass.alpha == 0) return std::nullopt;
   return hourglass;
 }

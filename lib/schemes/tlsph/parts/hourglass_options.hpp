@@ -14,6 +14,7 @@ struct PartSite;
 struct HourglassOptions {
   static constexpr std::string_view section = "hourglass", subject = "hourglass",
                                     theory = "THEORY (12.1), (12.2)";
+  static constexpr std::string_view meaning = "hourglass energy of what no affine motion explains";
 
   std::string weight = "kernel";  ///< kernel | slope: W, or -W' r about the best affine motion (paper 004)
   long nearest = 0;               ///< slope: supports reach to that neighbour; 0: the body's own. Not a key

@@ -14,11 +14,17 @@ std::vector<std::string> outer_laplacian_names() {
 
 std::optional<JstOptions> JstOptions::read(const Section& section) {
   JstOptions jst;
-  jst.eta2 = section.number_or("eta2", jst.eta2, quantity::number, Sign::not_negative);
-  jst.eta4 = section.number_or("eta4", jst.eta4, quantity::number, Sign::not_negative);
-  jst.laplacian_factor =
-      section.number_or("laplacian_factor", jst.laplacian_factor, quantity::number, Sign::positive);
-  jst.outer = section.choice_or("outer", jst.outer, outer_laplacian_names());
+  jst.eta2 =
+      section.number_or({"eta2", "second-order coefficient"}, jst.eta2, quantity::number, Sign::not_negative);
+  jst.eta4 =
+      section.number_or({"eta4", "fourth-order coefficient"}, jst.eta4, quantity::number, Sign::not_negative);
+  jst.laplacian_factor = section.number_or(
+      {"laplacian_factor", "of the weights of the Laplacian; the paper's own is probably 1"},
+      jst.laplacian_factor, quantity::number, Sign::positive);
+  jst.outer = section.choice_or(
+      {"outer",
+       "the outer Laplacian of (28): symmetric, or the transpose of the inner one, which takes energy by construction"},
+      jst.outer, outer_laplacian_names());
   return jst;
 }
 

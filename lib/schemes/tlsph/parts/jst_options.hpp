@@ -17,6 +17,7 @@ struct PartSite;
 /// the section [jst] of a scene or study; without the section nothing of it is built.
 struct JstOptions {
   static constexpr std::string_view section = "jst", subject = "dissipation", theory = "THEORY (6.1), (6.4)";
+  static constexpr std::string_view meaning = "Jameson-Schmidt-Turkel dissipation of the momentum";
 
   double eta2 = 0.0;         ///< second-order coefficient; 0: that term is not built
   double eta4 = 1.0 / 64.0;  ///< fourth-order coefficient, the paper's for the columns

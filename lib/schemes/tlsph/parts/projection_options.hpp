@@ -15,6 +15,7 @@ struct PartSite;
 struct ProjectionOptions {
   static constexpr std::string_view section = "projection", subject = "projection",
                                     theory = "THEORY (5.4)-(5.6)";
+  static constexpr std::string_view meaning = "takes the torque off the internal force";
 
   static std::optional<ProjectionOptions> read(const Section&) { return ProjectionOptions{}; }
   /// Says for a reader what it does.

@@ -14,7 +14,7 @@ namespace plumb {
 template <int d>
 Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha,
                              long nearest);
-/// The same with a support radius per particle [m].
+/// Makes the term with a support radius per particle [m].
 template <int d>
 Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha,
                              const std::vector<double>& radius);

@@ -17,7 +17,7 @@ double time_step(const Solid<d>& solid, const State<d>& state, const StepControl
 /// Whether the step follows from the closest pairs: they are then kept from step to step.
 bool follows_closest_pairs(const StepControl& control);
 
-/// The same number, following the closest pairs from step to step.
+/// Returns the time step that the control allows [s], following the closest pairs from step to step.
 template <int d>
 double next_time_step(const Solid<d>& solid, const State<d>& state, const StepControl& control,
                       ClosestPairs<d>& closest);
@@ -32,7 +32,7 @@ template <int d>
 RunResult run(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
               const StepControl& control, const Observer<d>& observe, RunRecord& record);
 
-/// The same for a run that begins here.
+/// Runs from the state as it is, as a run that begins here.
 template <int d>
 RunResult run(const Solid<d>& solid, State<d>& state, const ChosenIntegrator<d>& integrator,
               const StepControl& control, const Observer<d>& observe = {}) {

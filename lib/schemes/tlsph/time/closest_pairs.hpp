@@ -18,7 +18,7 @@ class ClosestPairs {
   /// Smallest current distance of neighbours [m]: the same bits as least_distance().
   double distance(const Solid<d>& solid, const State<d>& state);
 
-  /// Of its own arrays.
+  /// Returns the memory of its own arrays.
   std::size_t bytes() const;
 
  private:

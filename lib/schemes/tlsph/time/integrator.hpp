@@ -56,13 +56,14 @@ struct ChosenIntegrator {
   /// nothing.
   std::function<const Field*()> carried = {};
   std::function<void(const Field&)> carry = {};  ///< takes that of an earlier run, to continue it
-  /// Of the forces of a step's evaluations in the change of v over dt; a single one counts at both ends of
+  /// Weighs the forces of a step's evaluations in the change of v over dt; a single one counts at both ends of
   /// the step. Empty: unknown, and there is no budget.
   std::vector<double> weights = {};
   /// Vectors per particle that it reads and writes at every evaluation, for THEORY (10.8).
   int vectors_moved = 0;
 };
 
+/// Makes the integrator of that name for a body. InputError names the nearest valid name.
 template <int d>
 ChosenIntegrator<d> integrator_named(std::string_view name, const Solid<d>& solid) {
   ChosenIntegrator<d> integrator{};

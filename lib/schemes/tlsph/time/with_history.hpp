@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// The same integrator, which commits the history of the body after each step that has been made.
+/// Returns the integrator as one that commits the history of the body after each step that has been made.
 template <int d>
 ChosenIntegrator<d> with_history(ChosenIntegrator<d> integrator, const Solid<d>& solid) {
   if (!solid.sweeps.history) return integrator;

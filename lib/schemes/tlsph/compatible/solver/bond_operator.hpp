@@ -44,7 +44,7 @@ void apply(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<d>& re
 template <int d>
 double trace(const MultiplierBlock<d>& x);
 
-/// The same as if volumes were fixed.
+/// Computes result = C W C^T x as if volumes were fixed.
 template <int d>
 void apply_bonds(const BondOperator<d>& N, const Multipliers<d>& x, Multipliers<d>& result);
 

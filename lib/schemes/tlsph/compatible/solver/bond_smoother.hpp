@@ -31,6 +31,7 @@ struct BondSmoother {
   Index places() const { return static_cast<Index>(particle.size()); }
 };
 
+/// Makes the smoother of a matrix, in single precision.
 template <int d>
 BondSmoother<d> bond_smoother(const BondOperator<d>& N);
 

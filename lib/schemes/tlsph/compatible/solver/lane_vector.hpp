@@ -15,6 +15,7 @@ struct LaneVectorOf<T, 1> {
 template <class T, int n>
 using LaneVector = typename LaneVectorOf<T, n>::Type;
 
+/// Loads and stores the lanes of a vector register; the memory need not be aligned.
 template <class V, class T>
 inline V load_lanes(const T* from) {
   V v;

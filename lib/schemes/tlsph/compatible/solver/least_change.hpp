@@ -4,6 +4,7 @@
 
 namespace plumb {
 
+/// Says how the constraints were met, and what that cost.
 struct LeastChange {
   double start_residual, residual;  ///< largest violation of a constraint, in units of the spacing
   double largest_change;            ///< of an area vector

@@ -16,9 +16,11 @@ struct Multilevel {
   Coarsest coarsest;                      ///< solves the last one
 };
 
+/// Makes the levels of the V-cycle out of the matrix, down to one that is solved directly.
 template <int d>
 Multilevel<d> multilevel(const BondOperator<d>& N);
 
+/// Makes what one V-cycle works on.
 template <int d>
 BondWork<d> work_for(const Multilevel<d>& multilevel);
 

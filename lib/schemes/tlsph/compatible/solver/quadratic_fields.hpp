@@ -17,6 +17,7 @@ struct QuadraticFields {
   Values at(const Vec<d>& X) const;
 };
 
+/// Makes the fields of the particles of a matrix.
 template <int d>
 QuadraticFields<d> quadratic_fields(const BondOperator<d>& N);
 

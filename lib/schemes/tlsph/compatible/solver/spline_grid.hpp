@@ -8,6 +8,7 @@ namespace plumb {
 /// Number of places that splines reach beyond their own along an axis: those of a row of the normal matrix.
 inline constexpr int spline_reach = 4;
 
+/// Computes base^exponent, for an exponent of at least 0.
 constexpr int int_power(int base, int exponent) {
   return exponent == 0 ? 1 : base * int_power(base, exponent - 1);
 }
@@ -34,6 +35,7 @@ struct SplineGrid {
   }
 };
 
+/// Makes the grid of so many cells from `origin` on.
 template <int d>
 SplineGrid<d> spline_grid(const Vec<d>& origin, const Vec<d>& spacing, const std::array<Index, d>& cells);
 

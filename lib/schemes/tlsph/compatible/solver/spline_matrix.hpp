@@ -42,7 +42,7 @@ template <int d>
 SplineMatrix<d> spline_matrix(const BondOperator<d>& N, const SplineGrid<d>& grid,
                               const ParticlesByCell<d>& by_cell);
 
-/// The same matrix on splines of twice the spacing.
+/// Makes the matrix on splines of twice the spacing.
 template <int d>
 SplineMatrix<d> coarser(const SplineMatrix<d>& fine);
 

@@ -22,6 +22,7 @@ struct SplineSmoother {
   Index rows() const { return static_cast<Index>(places.size()); }
 };
 
+/// Makes the smoother of a matrix of splines.
 template <int d>
 SplineSmoother<d> spline_smoother(const SplineMatrix<d>& matrix);
 

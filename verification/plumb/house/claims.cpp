@@ -14,7 +14,8 @@
 #include "places.hpp"
 #include "reports/run/store.hpp"
 #include "verification/plumb/claims/measure.hpp"
-#include "verification/plumb/commands.hpp"
+#include "verification/plumb/house_commands.hpp"
+#include "verification/plumb/program.hpp"
 #include "verification/plumb/run/kept_folder.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -86,7 +87,7 @@ claims::RunCommand runner(const ClaimsOptions& options, int threads) {
   if (options.store.empty())
     throw InputError("there is no folder for the results", "neither XDG_CACHE_HOME nor HOME names one",
                      "give one with --store");
-  const auto store = std::make_shared<reports::run::Store>(options.store, fs::canonical("/proc/self/exe"),
+  const auto store = std::make_shared<reports::run::Store>(options.store, required_program(),
                                                            fs::canonical(options.root), threads);
   return [store](const std::string& command) {
     reports::Job job{"claim", {}, {}};
@@ -124,7 +125,7 @@ int tell_changes(const Session& session, const claims::CheckResult& checked, Jso
                         {"same", r.same}});
   result["measured"] = measured;
   result["changes"] = checked.changes;
-  for (const auto& change : checked.changes) std::cerr << "plumb: " << change << '\n';
+  for (const auto& change : checked.changes) std::cerr << "plumb-house: " << change << '\n';
   session.text() << fmt::format("{} numbers measured again, {} changes\n", checked.readings.size(),
                                 checked.changes.size());
   result["status"] = checked.changes.empty() ? "pass" : "fail";
@@ -158,14 +159,14 @@ int run_claims(const Session& session, const ClaimsOptions& options) {
 
 }  // namespace
 
-/// `plumb claims`: the ledger of the papers' claims.
+/// `plumb-house claims`: the ledger of the papers' claims.
 void add_claims(CLI::App& program, Session& session) {
   const auto options = std::make_shared<ClaimsOptions>();
   options->store = kept_folder("claims");
   CLI::App& command =
       add_command(program, session,
                   {"claims", "what the papers say, what was found, and whether it is reproduced",
-                   "plumb claims --json -"},
+                   "plumb-house claims --json -"},
                   {.table = true}, [&session, options] { return run_claims(session, *options); });
   command.add_flag("--check", options->check, "measure the numbers again; exit code 1 if one has changed");
   command.add_flag("--long", options->long_too, "with --check: those that take minutes too");

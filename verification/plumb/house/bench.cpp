@@ -11,7 +11,7 @@
 #include "verification/plumb/bench/kernels.hpp"
 #include "verification/plumb/bench/machine.hpp"
 #include "verification/plumb/bench/results.hpp"
-#include "verification/plumb/commands.hpp"
+#include "verification/plumb/house_commands.hpp"
 #include "verification/plumb/run/sittings.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -128,13 +128,13 @@ int run_bench(const Session& session, BenchCommand command) {
 
 }  // namespace
 
-/// `plumb bench`: speed of whole runs, beside the limits of the machine measured in the same call.
+/// `plumb-house bench`: speed of whole runs, beside the limits of the machine measured in the same call.
 void add_bench(CLI::App& program, Session& session) {
   const auto options = std::make_shared<BenchCommand>();
   CLI::App& command =
       add_command(program, session,
                   {"bench", "particle updates per second of whole runs, beside the machine's limits",
-                   "plumb bench --case adjoint-verlet-3d --n 1000,8000 --seconds 0.05"},
+                   "plumb-house bench --case adjoint-verlet-3d --n 1000,8000 --seconds 0.05"},
                   {.table = true}, [&session, options] { return run_bench(session, *options); });
   command.add_option("--case", options->only, "cases to run (the main ones)")
       ->delimiter(',')

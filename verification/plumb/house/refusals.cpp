@@ -16,7 +16,8 @@
 #include "lib/scene/study.hpp"
 #include "mms/manufactured.hpp"
 #include "reports/run/process.hpp"
-#include "verification/plumb/commands.hpp"
+#include "verification/plumb/house_commands.hpp"
+#include "verification/plumb/program.hpp"
 #include "verification/plumb/run/scene_options.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -117,9 +118,8 @@ Refusal refusal_of_call(const BadInput& bad, const std::map<std::string, std::st
   const fs::path folder = name;
   for (const auto& [base, text] : files)
     replace_file(folder / (base + ".toml"), base == bad.base ? with(bad, files) : text);
-  // by its name: valgrind does not start what is only called /proc/self/exe
-  const auto ended = reports::run::run_program(fs::canonical("/proc/self/exe"), bad.arguments, folder,
-                                               folder / "messages.txt");
+  const auto ended =
+      reports::run::run_program(required_program(), bad.arguments, folder, folder / "messages.txt");
   std::string said = read_text((folder / "messages.txt").string());
   fs::remove_all(folder);
   while (!said.empty() && said.back() == '\n') said.pop_back();
@@ -163,12 +163,12 @@ int refusals(const Session& session, const std::string& table) {
 
 }  // namespace
 
-/// `plumb refusals TABLE.toml`: every bad input of a table against the message that a user shall see.
+/// `plumb-house refusals TABLE.toml`: every bad input of a table against the message that a user shall see.
 void add_refusals(CLI::App& program, Session& session) {
   const auto table = std::make_shared<std::string>();
   CLI::App& command = add_command(program, session,
                                   {"refusals", "tries bad inputs and compares what is said with a table",
-                                   "plumb refusals verification/bad_inputs.toml"},
+                                   "plumb-house refusals verification/bad_inputs.toml"},
                                   {.table = true}, [&session, table] { return refusals(session, *table); });
   command.add_option("TABLE", *table, "the table (.toml)")->required()->type_name("FILE");
 }

@@ -9,7 +9,7 @@
 #include "lib/core/error.hpp"
 #include "lib/output/terminal.hpp"
 #include "places.hpp"
-#include "verification/plumb/commands.hpp"
+#include "verification/plumb/house_commands.hpp"
 #include "verification/plumb/session.hpp"
 
 namespace plumb::app {
@@ -99,14 +99,14 @@ int show(const Session& session, const std::string& file, const std::string& sam
 
 }  // namespace
 
-/// `plumb faults`: the stored score of the planted faults.
+/// `plumb-house faults`: the stored score of the planted faults.
 void add_faults(CLI::App& program, Session& session) {
   const auto file = std::make_shared<std::string>(PLUMBLINE_SOURCE_DIR "/verification/faults/score.json");
   const auto sample = std::make_shared<std::string>(PLUMBLINE_SOURCE_DIR "/verification/faults/sampled.json");
   CLI::App& command = add_command(
       program, session,
       {"faults", "planted faults and the tests that caught them, as stored by verification/faults/run",
-       "plumb faults --json -"},
+       "plumb-house faults --json -"},
       {.table = true}, [&session, file, sample] { return show(session, *file, *sample); });
   command.add_option("score", *file, "score file")->capture_default_str();
   command.add_option("--sampled", *sample, "score of a random sample, by verification/faults/sample")
