@@ -37,9 +37,13 @@ Failure no_equilibrium(const StaticFailure& failed, const Moment& now) {
             failed.trouble->particle,
             failed.trouble->value,
             failed.trouble->quantity};
+  const double residual = failed.residuals.empty() ? 1 : failed.residuals.back();  // 1: no search was made
+  std::string what = "residual over the forces";
+  if (failed.cause == "limit-point") what = "beyond a limit point; " + what;
+  if (failed.cause == "unsolved")
+    what = "conjugate gradients do not end, as where nothing resists a particle; " + what;
   const Cause cause = failed.cause == "non-finite" ? Cause::non_finite : Cause::no_convergence;
-  const std::string what = failed.cause == "limit-point" ? "beyond a limit point; residual" : "residual";
-  return {now.time, now.step, cause, std::nullopt, failed.residuals.back(), what + " over the forces"};
+  return {now.time, now.step, cause, failed.most_moved, residual, what};
 }
 
 Failure no_step(const NewtonResult& search, const std::optional<Trouble>& trouble, const Moment& now) {

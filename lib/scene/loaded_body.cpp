@@ -50,9 +50,9 @@ LoadedBody<d> loaded_body(const Scene& scene, const SavedState& saved) {
     body.energy = elements.stored_energy();
     body.actions = elements.actions();
   } else {
-    const TlsphBody<d> simulation = make_tlsph<d>(scene);
-    body.energy = stored_energy(simulation.solid);
-    body.actions = simulation.actions;
+    const auto simulation = std::make_shared<const TlsphBody<d>>(make_tlsph<d>(scene));
+    body.energy = stored_energy<d>(std::shared_ptr<const Solid<d>>(simulation, &simulation->solid));
+    body.actions = simulation->actions;
   }
   body.motion = motion_of_saved<d>(saved, body.energy.cloud.size());
   return body;

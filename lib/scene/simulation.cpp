@@ -14,7 +14,8 @@ Simulation<d> implicit_as_simulation(const std::shared_ptr<TlsphBody<d>>& body, 
   const std::shared_ptr<State<d>> state(body, &body->state);
   go_implicitly(simulation,
                 implicit_body<d>(
-                    state, body->solid.bonds.slots, [body] { return stored_energy(body->solid); },
+                    state, body->solid.bonds.slots,
+                    [body] { return stored_energy<d>(std::shared_ptr<const Solid<d>>(body, &body->solid)); },
                     [body]() -> const Actions<d>& { return body->actions; }),
                 scene);
   return simulation;

@@ -44,17 +44,24 @@ NeighbourCounts count_neighbours(const ElementBody<d>& body) {
   return counts;
 }
 
-/// u -> F - I at every point, numbered d^2 x point + d x row + column.
+/// u -> F - I at every point.
 template <int d>
-SparseMatrix gradient_operator(const typename ElementBody<d>::Rows& slopes) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index r = 0; r < slopes.rows(); ++r)
-    for (typename ElementBody<d>::Rows::InnerIterator it(slopes, r); it; ++it)
-      for (int k = 0; k < d; ++k)
-        entries.emplace_back(d * d * (r / d) + d * k + r % d, d * it.col() + k, it.value());
-  SparseMatrix m(d * slopes.rows(), d * slopes.cols());
-  m.setFromTriplets(entries.begin(), entries.end());
-  return m;
+PlaceGradients<d> gradients_at_points(const ElementBody<d>& body) {
+  PlaceGradients<d> G(body.cloud.size(), false);
+  G.reserve(body.points(), body.slopes.nonZeros() / d);
+  std::vector<PlaceShare<d>> place;
+  for (Index q = 0; q < body.points(); ++q) {
+    place.clear();
+    for (typename ElementBody<d>::Rows::InnerIterator it(body.slopes, d * q); it; ++it)
+      place.push_back({it.col(), Mat<d>::Zero()});
+    for (int b = 0; b < d; ++b) {
+      std::size_t n = 0;
+      for (typename ElementBody<d>::Rows::InnerIterator it(body.slopes, d * q + b); it; ++it)
+        place[n++].slope.col(b).setConstant(it.value());
+    }
+    G.add(place);
+  }
+  return G;
 }
 
 template <int d>
@@ -264,15 +271,14 @@ StoredEnergy<d> Element<d>::stored_energy() const {
   };
   const auto asked = std::make_shared<Asked>(Asked{body_, {}});
   StoredEnergy<d> made;
-  LinearOperators& operators = made.operators;
-  operators.gradient = gradient_operator<d>(body_.slopes);
-  operators.identity = identities<d>(body_.points());
-  operators.force =
-      SparseMatrix(gradient_operator<d>(typename ElementBody<d>::Rows(body_.forces.transpose())).transpose());
-  operators.terms = body_.springs;
+  EnergyOperators<d> operators{
+      identities<d>(body_.points()), gradients_at_points(body_),
+      Eigen::Map<const Eigen::VectorXd>(body_.mesh.weight.data(), body_.points()),
+      SparseMatrix(SparseMatrix(body_.springs).template triangularView<Eigen::Lower>())};
   if (outside_.needs_F())
     made.at_particles = {identities<d>(body_.cloud.size()),
-                         per_component(SparseMatrix(body_.mean), d * d) * operators.gradient};
+                         per_component(SparseMatrix(body_.mean), d * d) * operators.gradient.matrix()};
+  made.operators = std::make_shared<const EnergyOperators<d>>(std::move(operators));
   made.cloud = body_.cloud;
   made.elastic = body_.elastic;
   made.slots = layout();

@@ -66,7 +66,7 @@ SparseMatrix Balance<d>::tangent() {
 template <int d>
 Eigen::VectorXd Balance<d>::tangent_times(const Eigen::VectorXd& v) const {
   Eigen::VectorXd product = energy_.tangent_times(v);
-  if (loads_.follow()) product -= following_ * (energy_.particle_operator() * v);
+  if (loads_.follow()) product -= following_ * energy_.change_of_gradients(v);
   if (weight_.size() > 0) product += weight_.cwiseProduct(v);
   return product;
 }

@@ -27,11 +27,11 @@ SparseMatrix block_tangents(const StoredEnergy<d>& stored, const Eigen::VectorXd
   return T;
 }
 
-/// |A| v without a copy of A.
-Eigen::VectorXd size_of_product(const SparseMatrix& A, const Eigen::VectorXd& v) {
-  Eigen::VectorXd product = Eigen::VectorXd::Zero(A.rows());
-  for (Index c = 0; c < A.cols(); ++c)
-    for (SparseMatrix::InnerIterator it(A, c); it; ++it) product[it.row()] += std::abs(it.value()) * v[c];
+/// |T| v without a copy of T.
+Eigen::VectorXd size_of_product(const SparseMatrix& T, const Eigen::VectorXd& v) {
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(T.rows());
+  for (Index c = 0; c < T.cols(); ++c)
+    for (SparseMatrix::InnerIterator it(T, c); it; ++it) product[it.row()] += std::abs(it.value()) * v[c];
   return product;
 }
 
@@ -43,29 +43,33 @@ DiscreteEnergy<d>::DiscreteEnergy(StoredEnergy<d> energy, std::vector<Index> unk
 
 template <int d>
 void DiscreteEnergy<d>::take_parts() {
-  const LinearOperators& operators = stored_.operators;
-  std::vector<Index> all(static_cast<std::size_t>(operators.gradient.rows()));
-  for (std::size_t n = 0; n < all.size(); ++n) all[n] = static_cast<Index>(n);
-  gradient_part_ = part_of(operators.gradient, all, unknowns_);
-  force_part_ = part_of(operators.force, unknowns_, all);
-  terms_part_ = part_of(per_component(operators.terms, d), unknowns_, unknowns_);
+  const EnergyOperators<d>& operators = *stored_.operators;
+  gradient_part_ = operators.gradient.matrix(0, operators.gradient.places(), unknowns_);
+  force_part_ = gradient_part_.transpose();
+  for (Index n = 0; n < force_part_.cols(); ++n) force_part_.col(n) *= operators.weight[n / (d * d)];
+  terms_part_ = part_of(per_component(operators.terms(), d), unknowns_, unknowns_);
 }
 
 template <int d>
 Eigen::VectorXd DiscreteEnergy<d>::particle_gradients(const Eigen::VectorXd& u) const {
   const auto& at = stored_.at_particles;
-  if (at) return at->identity + at->gradient * u;
-  return stored_.operators.identity + stored_.operators.gradient * u;
+  return (at ? at->identity : stored_.operators->identity) + change_of_gradients(u);
 }
 
 template <int d>
-const SparseMatrix& DiscreteEnergy<d>::particle_operator() const {
-  return stored_.at_particles ? stored_.at_particles->gradient : stored_.operators.gradient;
+Eigen::VectorXd DiscreteEnergy<d>::change_of_gradients(const Eigen::VectorXd& v) const {
+  const auto& at = stored_.at_particles;
+  return at ? Eigen::VectorXd(at->gradient * v) : stored_.operators->gradient.times(v);
+}
+
+template <int d>
+SparseMatrix DiscreteEnergy<d>::particle_operator() const {
+  return stored_.at_particles ? stored_.at_particles->gradient : stored_.operators->gradient.matrix();
 }
 
 template <int d>
 void DiscreteEnergy<d>::linearise_at(const Eigen::VectorXd& u) {
-  material_ = block_tangents(stored_, stored_.operators.identity + stored_.operators.gradient * u);
+  material_ = block_tangents(stored_, stored_.operators->gradients(u));
 }
 
 template <int d>
@@ -77,25 +81,23 @@ SparseMatrix DiscreteEnergy<d>::tangent() {
 
 template <int d>
 Eigen::VectorXd DiscreteEnergy<d>::tangent_times(const Eigen::VectorXd& v) const {
-  const LinearOperators& operators = stored_.operators;
-  const Eigen::VectorXd stress = material_ * (operators.gradient * v);
-  return operators.force * stress + component_product<d>(operators.terms, v);
+  const EnergyOperators<d>& operators = *stored_.operators;
+  return operators.forces(material_ * operators.gradient.times(v), v);
 }
 
 template <int d>
 Eigen::VectorXd DiscreteEnergy<d>::largest_products(const Eigen::VectorXd& u) const {
-  const LinearOperators& operators = stored_.operators;
-  const Eigen::VectorXd size = u.cwiseAbs();
-  const Eigen::VectorXd stress = size_of_product(material_, size_of_product(operators.gradient, size));
-  return size_of_product(operators.force, stress) + component_product<d>(operators.terms.cwiseAbs(), size);
+  const EnergyOperators<d>& operators = *stored_.operators;
+  const Eigen::VectorXd stress = size_of_product(material_, operators.gradient.largest_gradients(u));
+  return operators.gradient.largest_forces(operators.weight, stress) + operators.largest_of_terms(u);
 }
 
 template <int d>
 double DiscreteEnergy<d>::residual_round_off(const Eigen::VectorXd& u) const {
   constexpr double unit = 0.5 * std::numeric_limits<double>::epsilon();
-  const LinearOperators& operators = stored_.operators;
-  const Eigen::VectorXd F = (operators.identity + operators.gradient * u).cwiseAbs();
-  return unit * size_of_product(operators.force, size_of_product(material_, F)).norm();
+  const EnergyOperators<d>& operators = *stored_.operators;
+  const Eigen::VectorXd F = operators.gradients(u).cwiseAbs();
+  return unit * operators.gradient.largest_forces(operators.weight, size_of_product(material_, F)).norm();
 }
 
 template class DiscreteEnergy<1>;

@@ -24,8 +24,10 @@ class DiscreteEnergy {
   std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u) const { return stored_.residual(u); }
   /// Returns F of every particle, numbered d^2 x particle + d x row + column.
   Eigen::VectorXd particle_gradients(const Eigen::VectorXd& u) const;
+  /// Returns what a displacement adds to them.
+  Eigen::VectorXd change_of_gradients(const Eigen::VectorXd& v) const;
   /// Returns their derivative by u [1/m].
-  const SparseMatrix& particle_operator() const;
+  SparseMatrix particle_operator() const;
 
   /// Moves the second derivative K = d2E/du2 [N/m] to the displacements u, THEORY (15.2).
   void linearise_at(const Eigen::VectorXd& u);
@@ -41,7 +43,7 @@ class DiscreteEnergy {
   /// Returns |D| |T| |G| |u| + |terms| |u| where it was linearised last [N]: no smaller than |K| |u|.
   Eigen::VectorXd largest_products(const Eigen::VectorXd& u) const;
 
-  const LinearOperators& operators() const { return stored_.operators; }
+  const EnergyOperators<d>& operators() const { return *stored_.operators; }
   const SparseMatrix& material() const { return material_; }  ///< T, where it was linearised last
   const Cloud<d>& cloud() const { return stored_.cloud; }
   const Elastic& elastic() const { return stored_.elastic; }

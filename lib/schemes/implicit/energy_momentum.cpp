@@ -44,15 +44,13 @@ Eigen::VectorXd nearer(const Balance<d>& balance, const Eigen::VectorXd& from, c
 
 template <int d>
 struct EnergyMomentum<d>::Middle {
-  LinearOperators operators;
+  std::shared_ptr<const EnergyOperators<d>> operators;
   PointLaw<d> law;
   double energy_round_off;  ///< of W near the reference [Pa]
   Eigen::VectorXd before;   ///< F
   bool exact = false;       ///< the tangent is that of (15.15), not dP/dF of the middle
 
-  Eigen::VectorXd gradients(const Eigen::VectorXd& u) const {
-    return operators.identity + operators.gradient * u;
-  }
+  Eigen::VectorXd gradients(const Eigen::VectorXd& u) const { return operators->gradients(u); }
   /// What round-off of W leaves of the force, by way of the bracket of (15.13) [N].
   double residual_round_off(const Eigen::VectorXd& u) const {
     const Eigen::VectorXd F = gradients(u);
@@ -62,7 +60,7 @@ struct EnergyMomentum<d>::Middle {
       const double error = change > no_change ? 2 * energy_round_off / change : 0;
       P.segment(d * d * q, d * d) = error * F.segment(d * d * q, d * d).cwiseAbs();
     }
-    return (operators.force.cwiseAbs() * P).norm();
+    return operators->gradient.largest_forces(operators->weight, P).norm();
   }
   /// Minus the internal force of the step [N]; nullopt if J is not positive at its middle or its end.
   std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u, std::optional<Trouble>& trouble) const {
@@ -78,7 +76,7 @@ struct EnergyMomentum<d>::Middle {
       const Mat<d> stress = stress_of_step(law, first, middle);
       for (int n = 0; n < d * d; ++n) P[d * d * q + n] = stress(n / d, n % d);
     }
-    return operators.force * P + component_product<d>(operators.terms, u);
+    return operators->forces(P, u);
   }
 };
 

@@ -16,6 +16,7 @@ constexpr double rounding = 1e-12;             // of shares that are added up
 
 std::string cause_of(const NewtonResult& newton) {
   if (newton.end == NewtonEnd::not_a_number) return "non-finite";
+  if (newton.end == NewtonEnd::unsolved) return "unsolved";
   if (newton.shifted > 0) return "limit-point";
   return newton.end == NewtonEnd::inverted ? "inverted" : "stalled";
 }
@@ -26,6 +27,10 @@ std::string StaticFailure::in_words() const {
   const std::string where = fmt::format("no equilibrium at {:.6g} of the load: ", share);
   if (cause == "inverted")
     return where + fmt::format("J = {:.3g} at particle {}", trouble->value, trouble->particle.value());
+  if (cause == "unsolved")
+    return where +
+           fmt::format("conjugate gradients do not end; particle {} moves most, as where nothing resists it",
+                       most_moved.value());
   if (cause == "non-finite") return where + "a force is not a number";
   if (cause == "limit-point")
     return where + "the stiffness is not positive there, as beyond a limit point or where a body buckles";
@@ -60,8 +65,10 @@ std::optional<StaticFailure> LoadPath<d>::go_to(double time, BodyMotion& motion,
     const NewtonResult found = equilibrium_at(balance_, solver_, options_.tolerance, trial);
     if (!found.converged()) {
       const double shorter = (next - share) / 2;
-      if (!options_.adaptive || shorter < least_of_first * first_)
-        return StaticFailure{cause_of(found), next, balance_.energy().trouble(), found.residuals};
+      const bool in_vain = found.end == NewtonEnd::unsolved;  // shorter steps have the same tangent
+      if (!options_.adaptive || in_vain || shorter < least_of_first * first_)
+        return StaticFailure{cause_of(found), next, balance_.energy().trouble(), solver_.most_moved(),
+                             found.residuals};
       length_ = shorter;
       ++rejected_;
       tried_longer = true;

@@ -19,10 +19,11 @@ struct LoadStep {
 
 /// Why a point of the path was not reached.
 struct StaticFailure {
-  std::string cause;               ///< "inverted", "non-finite", "stalled" or "limit-point"
-  double share;                    ///< of the path that could not be reached from the one before
-  std::optional<Trouble> trouble;  ///< with J <= 0, if that is the cause
-  std::vector<double> residuals;   ///< of the last search, relative to the forces
+  std::string cause;                ///< "inverted", "non-finite", "unsolved", "stalled" or "limit-point"
+  double share;                     ///< of the path that could not be reached from the one before
+  std::optional<Trouble> trouble;   ///< with J <= 0, if that is the cause
+  std::optional<Index> most_moved;  ///< the particle that moves most where conjugate gradients do not end
+  std::vector<double> residuals;    ///< of the last search, relative to the forces
   /// Says it in a sentence.
   std::string in_words() const;
 };

@@ -56,7 +56,7 @@ NewtonResult newton(Balance<d>& balance, TangentSolver<d>& solver, double tolera
     const double round_off = solver.round_off(balance, u) + balance.energy().residual_round_off(u);
     if (r.norm() <= round_off) return ended(NewtonEnd::converged);
     const auto solution = solver.solve(balance, -r, tolerance_of_step(result.residuals.back(), tolerance));
-    if (!solution) return ended(NewtonEnd::not_a_number);
+    if (!solution) return ended(solver.most_moved() ? NewtonEnd::unsolved : NewtonEnd::not_a_number);
     if (solution->shifted) ++result.shifted;
     bool inverted = false;
     const auto next = backtracked(balance, u, balance.whole(solution->x), r.dot(solution->x), inverted);
@@ -76,7 +76,7 @@ NewtonEnd predict(Balance<d>& balance, TangentSolver<d>& solver, Eigen::VectorXd
   const Eigen::VectorXd pulled = *r + balance.tangent_times(moved - u);
   constexpr double enough = 1e-6;  // Newton's method does the rest
   const auto solution = solver.solve(balance, -balance.free_part(pulled), enough);
-  if (!solution) return NewtonEnd::not_a_number;
+  if (!solution) return solver.most_moved() ? NewtonEnd::unsolved : NewtonEnd::not_a_number;
   moved += balance.whole(solution->x);
   if (!balance.residual(moved)) return NewtonEnd::inverted;
   u = moved;

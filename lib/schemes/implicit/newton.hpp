@@ -12,6 +12,7 @@ enum class NewtonEnd {
   converged,
   inverted,      ///< some J is not positive wherever the step goes
   not_a_number,  ///< a force or the tangent is not finite
+  unsolved,      ///< conjugate gradients do not end
   stalled        ///< the residual does not fall any more
 };
 

@@ -1,8 +1,9 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 
-#include "lib/schemes/tlsph/loops/linearise.hpp"
+#include "lib/schemes/implicit/energy_operators.hpp"
 
 namespace plumb {
 
@@ -19,9 +20,8 @@ struct StoredEnergy {
   Cloud<d> cloud;  ///< the particles, with the volumes that masses and body forces go by
   Elastic elastic;
   Slots slots;  ///< of the particles in the fields of a state
-  /// G, D and the constant stiffness of terms. Rows of G are the places where the law is asked: particles, or
-  /// points in elements.
-  LinearOperators operators;
+  /// G and the constant stiffness of terms; copies of an energy share them. The law is asked at particles, or at points in elements.
+  std::shared_ptr<const EnergyOperators<d>> operators;
   std::optional<GradientOperator> at_particles;            ///< for pressures that follow; nullopt: G itself
   std::function<double(const Eigen::VectorXd& u)> energy;  ///< E [J]
   /// dE/du [N]; nullopt if some J is not positive.
@@ -34,10 +34,15 @@ struct StoredEnergy {
   double round_off = 0;                             ///< of E near the reference [J]
 };
 
-/// The energy of a body of bonds: sum V W(F) and the energies of its terms (hourglass). It is that of a copy
-/// without what is no energy: loads and supports, which act from outside, and dissipation, for nothing moves.
-/// Throws InputError if the internal force has no energy.
+/// The energy of a body of bonds: sum V W(F) and the energies of its terms (hourglass), without what is no energy: loads and supports,
+/// which act from outside, and dissipation, for nothing moves. Terms that are added to the body later do not count. Throws InputError if
+/// the internal force has no energy.
 template <int d>
-StoredEnergy<d> stored_energy(const Solid<d>& solid);
+StoredEnergy<d> stored_energy(std::shared_ptr<const Solid<d>> solid);
+/// That of a copy of the body.
+template <int d>
+StoredEnergy<d> stored_energy(const Solid<d>& solid) {
+  return stored_energy<d>(std::make_shared<const Solid<d>>(solid));
+}
 
 }  // namespace plumb

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "lib/core/error.hpp"
 #include "lib/geometry/position_text.hpp"
@@ -12,8 +16,61 @@
 namespace plumb {
 namespace {
 
-/// Of displacements of order 1: what a support resists is a share of at least 1/particles, far above.
+/// Of motions of size 1: what a support resists is a share of at least 1/particles, far above.
 constexpr double none = 1e-10;
+
+/// The first particle of the part that each particle belongs to. Places couple the particles that they read, terms theirs.
+template <int d>
+std::vector<Index> parts_of(const EnergyOperators<d>& operators) {
+  std::vector<Index> before(static_cast<std::size_t>(operators.gradient.particles()));
+  std::iota(before.begin(), before.end(), Index{0});
+  const auto first_of = [&](Index i) {
+    while (before[static_cast<std::size_t>(i)] != i)
+      i = before[static_cast<std::size_t>(i)] =
+          before[static_cast<std::size_t>(before[static_cast<std::size_t>(i)])];
+    return i;
+  };
+  const auto couple = [&](Index i, Index j) {
+    i = first_of(i), j = first_of(j);
+    before[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
+  };
+  for (Index q = 0; q < operators.gradient.places(); ++q) {
+    std::optional<Index> met;
+    operators.gradient.for_each(q, [&](std::int64_t, const PlaceShare<d>& share) {
+      if (share.slope.squaredNorm() == 0) return;
+      if (met) couple(*met, share.particle);
+      met = share.particle;
+    });
+  }
+  for (Index c = 0; c < operators.half_of_terms.cols(); ++c)
+    for (SparseMatrix::InnerIterator it(operators.half_of_terms, c); it; ++it)
+      if (it.value() != 0) couple(c, it.row());
+  for (std::size_t i = 0; i < before.size(); ++i) before[i] = first_of(static_cast<Index>(i));
+  return before;
+}
+
+/// Of rigid motions of some particles: what they are and what resists them, as sums over unknowns.
+struct Resistance {
+  Eigen::MatrixXd size, resisted;
+};
+
+/// The shares of rigid motions that nothing resists, one motion per column, of length 1; motions that leave all the particles where
+/// they are (a turn of one particle about itself) do not count.
+Eigen::MatrixXd free_motions(const Resistance& of) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(of.size);
+  const Eigen::Index count = of.size.rows();
+  Eigen::Index still = 0;
+  while (still < count && all.eigenvalues()[still] < none * all.eigenvalues()[count - 1]) ++still;
+  const Eigen::MatrixXd moving =
+      all.eigenvectors().rightCols(count - still) *
+      all.eigenvalues().tail(count - still).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(moving.transpose() * of.resisted * moving);
+  Eigen::Index free = 0;
+  while (free < count - still && modes.eigenvalues()[free] < none) ++free;
+  if (free == 0) return {count, 0};
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(moving * modes.eigenvectors().leftCols(free));
+  return qr.householderQ() * Eigen::MatrixXd::Identity(count, free);
+}
 
 /// The motion of the null space `free` (columns) that is named: a translation along an axis if there is one.
 Eigen::VectorXd chosen_motion(const Eigen::MatrixXd& free, int translations) {
@@ -73,28 +130,45 @@ std::optional<Index> unresisted_particle(Balance<d>& balance, DescentSolver& sol
   return balance.energy().unknowns()[static_cast<std::size_t>(most)] / d;
 }
 
-}  // namespace
-
+/// The resistance to rigid motions of each part, by its first particle.
 template <int d>
-std::optional<std::string> free_rigid_motion(const DiscreteEnergy<d>& energy,
-                                             const std::vector<Index>& held) {
+std::map<Index, Resistance> resistances(const DiscreteEnergy<d>& energy, const std::vector<Index>& held,
+                                        const std::vector<Index>& part) {
   constexpr int count = RigidMotions<d>::count;
   const Cloud<d>& cloud = energy.cloud();
   const RigidMotions<d> motions(cloud.box);
-  Eigen::MatrixXd displacements(d * cloud.size(), count);
+  Eigen::MatrixXd displacements(d * cloud.size(), count), forces(d * cloud.size(), count);
   for (Index i = 0; i < cloud.size(); ++i)
     displacements.middleRows<d>(d * i) = motions.at(cloud.X[static_cast<std::size_t>(i)]);
-  Eigen::MatrixXd resisted = Eigen::MatrixXd::Zero(count, count);
-  for (const Index n : held) resisted += displacements.row(n).transpose() * displacements.row(n);
-  Eigen::MatrixXd forces(displacements.rows(), count);
   for (int k = 0; k < count; ++k) forces.col(k) = energy.tangent_times(displacements.col(k));
-  const double stiffness = energy.elastic().young * std::pow(cloud.spacing, d - 2);
-  resisted += forces.transpose() * forces / (stiffness * stiffness);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(resisted);
-  Index free = 0;
-  while (free < count && modes.eigenvalues()[free] < none) ++free;
-  if (free == 0) return std::nullopt;
-  return in_words(motions, chosen_motion(modes.eigenvectors().leftCols(free), d));
+  forces /= energy.elastic().young * std::pow(cloud.spacing, d - 2);
+  std::map<Index, Resistance> of;
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, count);
+  const auto at = [&](Index n) -> Resistance& {
+    return of.try_emplace(part[static_cast<std::size_t>(n / d)], Resistance{zero, zero}).first->second;
+  };
+  for (Index n = 0; n < displacements.rows(); ++n) {
+    at(n).size += displacements.row(n).transpose() * displacements.row(n);
+    at(n).resisted += forces.row(n).transpose() * forces.row(n);
+  }
+  for (const Index n : held) at(n).resisted += displacements.row(n).transpose() * displacements.row(n);
+  return of;
+}
+
+}  // namespace
+
+template <int d>
+std::optional<LoosePart> loose_part(const DiscreteEnergy<d>& energy, const std::vector<Index>& held) {
+  const RigidMotions<d> motions(energy.cloud().box);
+  const std::vector<Index> part = parts_of(energy.operators());
+  for (const auto& [first, resistance] : resistances(energy, held, part)) {
+    const Eigen::MatrixXd free = free_motions(resistance);
+    if (free.cols() == 0) continue;
+    const bool whole = std::all_of(part.begin(), part.end(), [](Index n) { return n == 0; });
+    return LoosePart{whole ? std::nullopt : std::optional<Index>(first),
+                     in_words(motions, chosen_motion(free, d))};
+  }
+  return std::nullopt;
 }
 
 template <int d>
@@ -102,21 +176,28 @@ void require_support(Balance<d>& balance, TangentSolver<d>& solver) {
   const DiscreteEnergy<d>& energy = balance.energy();
   if (energy.unknowns().empty()) return;
   const Cloud<d>& cloud = energy.cloud();
+  const auto place = [&](Index particle) {
+    return fmt::format("particle {} at {}", particle,
+                       position_text<d>(cloud.X[static_cast<std::size_t>(particle)]));
+  };
   solver.linearise_at(balance, Eigen::VectorXd::Zero(d * cloud.size()));
-  if (const auto motion = free_rigid_motion(energy, balance.held()))
-    throw InputError("the body can " + *motion, "no support resists it, so that there is no one equilibrium",
-                     "hold one more component, by a [[boundary]]");
-  if (solver.iterates()) return;  // a particle that moves without a force shows as a search that does not end
+  if (const auto loose = loose_part(energy, balance.held())) {
+    if (!loose->particle)
+      throw InputError("the body can " + loose->motion,
+                       "no support resists it, so that there is no one equilibrium",
+                       "hold one more component, by a [[boundary]]");
+    throw InputError(place(*loose->particle) + " can " + loose->motion + " with all that hangs on it",
+                     "the body is in separate parts, and no support resists it there",
+                     "give each part supports, or leave out particles that belong to none");
+  }
+  if (solver.iterates()) return;  // what else moves without a force shows in a search that does not end
   if (const auto particle = unresisted_particle(balance, solver.factors()))
-    throw InputError(fmt::format("particle {} at {} can move without a force", *particle,
-                                 position_text<d>(cloud.X[static_cast<std::size_t>(*particle)])),
-                     "the stiffness is singular",
-                     "use a larger beta or [hourglass]; a body in separate parts needs supports for each");
+    throw InputError(place(*particle) + " can move without a force", "the stiffness is singular",
+                     "use a larger beta or [hourglass]");
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                       \
-  template std::optional<std::string> free_rigid_motion<d>(const DiscreteEnergy<d>&,   \
-                                                           const std::vector<Index>&); \
+#define PLUMBLINE_INSTANTIATE(d)                                                                        \
+  template std::optional<LoosePart> loose_part<d>(const DiscreteEnergy<d>&, const std::vector<Index>&); \
   template void require_support<d>(Balance<d>&, TangentSolver<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

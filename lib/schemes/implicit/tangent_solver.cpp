@@ -51,6 +51,7 @@ std::optional<typename TangentSolver<d>::Solution> TangentSolver<d>::iterate(Bal
   const auto K = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
     return balance.free_part(balance.tangent_times(balance.whole(v)));
   };
+  most_moved_.reset();
   bool fresh = false;
   const auto make_levels = [&] {
     if (!levels_)
@@ -70,7 +71,12 @@ std::optional<typename TangentSolver<d>::Solution> TangentSolver<d>::iterate(Bal
     if (!found.x.allFinite()) return std::nullopt;
     if (found.converged && fresh) fresh_rate_ = found.iterations / digits;
     if (found.converged || (found.indefinite && fresh)) return Solution{std::move(found.x), found.indefinite};
-    if (fresh) return std::nullopt;
+    if (fresh) {
+      Index most = 0;
+      found.x.cwiseAbs().maxCoeff(&most);
+      most_moved_ = energy.unknowns()[static_cast<std::size_t>(most)] / d;
+      return std::nullopt;
+    }
     make_levels();
   }
 }

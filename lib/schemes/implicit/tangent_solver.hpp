@@ -32,6 +32,9 @@ class TangentSolver {
 
   bool iterates() const { return how_ == LinearSolver::iterative; }
   DescentSolver& factors() { return direct_; }
+  /// Returns the particle that moves most in what the last iterations had found when they did not end; nullopt: they ended, or there
+  /// were none.
+  std::optional<Index> most_moved() const { return most_moved_; }
   long iterations() const { return iterations_; }  ///< of conjugate gradients so far
   int levels() const { return moves_; }            ///< how often the two levels were made anew
 
@@ -44,6 +47,7 @@ class TangentSolver {
   std::unique_ptr<TwoLevel<d>> levels_;
   long iterations_ = 0;
   int moves_ = 0;
+  std::optional<Index> most_moved_;
   double fresh_rate_ = 0;  ///< iterations per digit with levels that have just been made
 };
 

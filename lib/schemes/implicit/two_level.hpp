@@ -2,9 +2,8 @@
 #include <functional>
 #include <vector>
 
-#include "lib/geometry/cloud.hpp"
 #include "lib/linear/cholesky.hpp"
-#include "lib/schemes/tlsph/loops/linearise.hpp"
+#include "lib/schemes/implicit/coarse_grid.hpp"
 
 namespace plumb {
 
@@ -17,31 +16,27 @@ class TwoLevel {
   using Product = std::function<Eigen::VectorXd(const Eigen::VectorXd& v)>;  ///< K v of free unknowns
 
   /// The cloud and the operators must outlive it. `unknowns`: the free ones, ascending.
-  TwoLevel(const Cloud<d>& cloud, const LinearOperators& operators, const std::vector<Index>& unknowns);
+  TwoLevel(const Cloud<d>& cloud, const EnergyOperators<d>& operators, const std::vector<Index>& unknowns);
 
   /// Moves to the tangents T of the law, to a weight of all unknowns (no entries: none) and to their K.
   void move_to(const SparseMatrix& material, const Eigen::VectorXd& weight, const Product& K);
   /// About K^-1 r.
   Eigen::VectorXd operator()(const Product& K, const Eigen::VectorXd& r) const;
 
-  Index coarse_unknowns() const { return coarse_.cols(); }
+  Index coarse_unknowns() const { return coarse_.unknowns(); }
 
  private:
-  SparseMatrix coarse_stiffness(const SparseMatrix& material) const;
+  std::vector<Mat<d>> diagonal_blocks(const SparseMatrix& material) const;
   void find_blocks(const SparseMatrix& material, const Eigen::VectorXd& weight);
   Eigen::VectorXd over_blocks(const Eigen::VectorXd& r) const;
   /// The polynomial; r is left at what remains of it.
   Eigen::VectorXd smoothed(const Product& K, Eigen::VectorXd& r) const;
   double largest_ratio(const Product& K) const;
 
-  const LinearOperators& operators_;
+  const EnergyOperators<d>& operators_;
   const std::vector<Index>& unknowns_;
-  Eigen::VectorXd place_weight_;                                  ///< w of every place: D = (w G)^T
-  SparseMatrix coarse_;                                           ///< free unknowns x coarse ones
-  Eigen::SparseMatrix<double, Eigen::RowMajor> coarse_gradient_;  ///< G times it, for all unknowns
-  SparseMatrix coarse_terms_;
+  CoarseGrid<d> coarse_;
   Cholesky factor_;
-  bool analysed_ = false;
   std::vector<Mat<d>> inverse_;  ///< of the diagonal blocks, by particle
   double largest_ = 1;           ///< eigenvalue of K over its blocks
 };

@@ -206,5 +206,61 @@ TEST(DualSupports, ThePressedCubeHasItsValues) {
   EXPECT_NEAR(stiffened.energy, 0.023213136949221, 1e-10);
 }
 
+/// Rubber of paper 004, 6.5, in N and mm: a sheet of 2 x 2, E = 0.2, nu = 0.45, whose upper side is pulled up.
+struct Pulled {
+  double force, energy;  ///< energy: without that of the hourglass term
+};
+
+/// `nearest`: neighbours in the support of each particle; 0: a radius of 2.05 spacings.
+Pulled pulled_rubber(Index cells, double pull, long nearest, double alpha) {
+  Cloud<2> cloud = lattice<2>({Vec<2>::Zero(), Vec<2>(2, 2)}, {cells, cells}, Layout::node);
+  const std::vector<double> radius =
+      nearest > 0 ? support_radii(cloud, nearest) : std::vector<double>(cloud.X.size(), 2.05 * cloud.spacing);
+  std::vector<Support<2>> lower;
+  Held<2> upper;
+  for (Index i = 0; i < cloud.size(); ++i)
+    for (int k = 0; k < 2; ++k) {
+      if (cloud.X[i][1] < 1e-9) lower.push_back({i, k});
+      if (cloud.X[i][1] > 2 - 1e-9) upper.places.push_back({i, k, cloud.X[i]});
+    }
+  upper.motion = [pull](const Vec<2>&, int component, double) {
+    return HeldMotion{component == 1 ? pull : 0.0, 0, 0};
+  };
+  Actions<2> actions = holding<2>(cloud, lower);
+  actions.held.push_back(upper);
+  const Elastic rubber{0.2, 0.45, 1};
+  const Solid<2> solid = dual_body<2>(cloud, radius, "neo-hookean-logarithmic", rubber, alpha);
+  State<2> state = make_state(solid);
+  ImplicitOptions options;
+  options.steps = 20;
+  options.tolerance = 1e-12;
+  const auto result = find_equilibrium<2>(solid, actions, 1, options, state);
+  EXPECT_TRUE(result.completed());
+  const Solid<2> bare = dual_body<2>(solid.cloud, radius, "neo-hookean-logarithmic", rubber);
+  return {result.reactions.back().force[1], testing::energy_of_all(bare).energy(unknowns_of(solid, state.u))};
+}
+
+/// Digits that two other implementations have, one of them for both radii. A support that reaches to the twelfth neighbour gives that
+/// one no weight.
+TEST(DualSupports, ThePulledRubberHasItsValues) {
+  const Pulled plain = pulled_rubber(10, 5, 0, 0), stiffened = pulled_rubber(10, 5, 0, 5);
+  EXPECT_NEAR(plain.force, 0.52074081683892, 1e-9);
+  EXPECT_NEAR(plain.energy, 1.5899391700887, 1e-9);
+  EXPECT_NEAR(stiffened.force, 0.53873929477307, 1e-9);
+  EXPECT_NEAR(stiffened.energy, 1.6121664666178, 1e-9);
+  const Pulled nearest = pulled_rubber(10, 5, 12, 0);
+  EXPECT_NEAR(nearest.force, 0.51187841038129, 1e-9);
+  EXPECT_NEAR(nearest.energy, 1.56561531706024, 1e-9);
+  EXPECT_NEAR(pulled_rubber(10, 5, 12, 5).force, 0.53510540147802, 1e-9);
+}
+
+/// Six times its height: 21 x 21 particles with supports to the twelfth neighbour.
+TEST(DualSupports, ThePulledRubberOfThePaperHasItsValues) {
+  const Pulled plain = pulled_rubber(20, 10, 12, 0);
+  EXPECT_NEAR(plain.force, 0.83933975055163, 1e-8);
+  EXPECT_NEAR(plain.energy, 4.92793314517424, 1e-8);
+  EXPECT_NEAR(pulled_rubber(20, 10, 12, 5).force, 0.86309599998962, 1e-8);
+}
+
 }  // namespace
 }  // namespace plumb

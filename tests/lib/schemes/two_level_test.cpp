@@ -120,6 +120,26 @@ TEST(TwoLevel, IsSymmetricAndPositive) {
   EXPECT_GT(Mb.dot(b), 0);
 }
 
+/// P^T K P by columns of K, below the diagonal; a motion that moves no free unknown has a stiffness of 1.
+TEST(TwoLevel, TheGridHasTheStiffnessOfItsMotions) {
+  for (const double alpha : {0.0, 1.0}) {
+    const Loaded plate(sheared_plate(0.1, alpha));
+    const DiscreteEnergy<2>& energy = plate.balance.energy();
+    const CoarseGrid<2> grid(energy.cloud(), energy.operators(), energy.unknowns());
+    const Eigen::MatrixXd P(grid.motions());
+    Eigen::MatrixXd expected(P.cols(), P.cols());
+    for (Index n = 0; n < P.cols(); ++n) expected.col(n) = P.transpose() * plate.product(P.col(n));
+    int still = 0;
+    for (Index n = 0; n < P.cols(); ++n)
+      if (P.col(n).norm() == 0) expected(n, n) = 1, ++still;
+    EXPECT_EQ(still, 0);  // a layer of cells that is held all around would have some
+    const Eigen::MatrixXd found =
+        Eigen::MatrixXd(grid.stiffness(energy.material())).triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd lower = expected.triangularView<Eigen::Lower>();
+    EXPECT_LT((found - lower).norm(), 1e-12 * lower.norm()) << alpha;
+  }
+}
+
 /// The hourglass energy makes the number of iterations that of the cell, not of the body: four and sixteen times as many particles.
 TEST(TwoLevel, IterationsDoNotGrowWithTheCloud) {
   const int coarse = iterations_of(sheared_plate(0.05, 1)), middle = iterations_of(sheared_plate(0.025, 1)),

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
+#include "lib/schemes/tlsph/loops/operator_rows.hpp"
 
 namespace plumb {
 namespace {
@@ -11,48 +12,10 @@ namespace {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 template <int d>
-std::vector<Index> particle_of_slot(const Solid<d>& solid) {
-  std::vector<Index> particle(solid.bonds.slots.count(), -1);
-  for (Index i = 0; i < solid.cloud.size(); ++i) particle[solid.bonds.slots.of(i)] = i;
-  return particle;
-}
-
-template <int d>
 SparseMatrix built(Index rows, Index columns, const Triplets& entries) {
   SparseMatrix m(rows, columns);
   m.setFromTriplets(entries.begin(), entries.end());
   return m;
-}
-
-/// What one particle has to do with another: a d x d table of numbers.
-template <int d>
-struct Share {
-  Index other;
-  int number;  ///< in the order in which they were found
-  Mat<d> table;
-};
-template <int d>
-using Shares = std::vector<Share<d>>;
-
-template <int d>
-void add(Shares<d>& shares, Index other, const Mat<d>& table) {
-  shares.push_back({other, static_cast<int>(shares.size()), table});
-}
-
-/// In the order of the others, each once. (Not by std::stable_sort: its buffer is not aligned as small matrices are.)
-template <int d>
-void tidy(Shares<d>& shares) {
-  std::sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
-    return a.other != b.other ? a.other < b.other : a.number < b.number;
-  });
-  std::size_t end = 0;
-  for (const auto& share : shares) {
-    if (end > 0 && shares[end - 1].other == share.other)
-      shares[end - 1].table += share.table;
-    else
-      shares[end++] = share;
-  }
-  shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(end), shares.end());
 }
 
 /// A matrix that is filled row by row: row_of(i, shares) gives what particle i has to do with others, and append(rows, i, shares)
@@ -62,9 +25,7 @@ SparseMatrix filled(Index particles, Index rows, Index columns, RowOf&& row_of, 
   Eigen::SparseMatrix<double, Eigen::RowMajor> m(rows, columns);
   Shares<d> shares;
   for (Index i = 0; i < particles; ++i) {
-    shares.clear();
     row_of(i, shares);
-    tidy<d>(shares);
     if (i == 0) m.reserve(static_cast<Index>(shares.size()) * d * d * particles);
     append(m, i, shares);
   }
@@ -74,23 +35,7 @@ SparseMatrix filled(Index particles, Index rows, Index columns, RowOf&& row_of, 
 
 /// G: displacements to deformation gradients, rows d^2 particle + d a + b.
 template <int d>
-SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
-  const auto row_of = [&](Index i, Shares<d>& shares) {
-    Vec<d> sum = Vec<d>::Zero();
-    const auto put = [&](Index j, const Vec<d>& c, const Vec<d>& signs = Vec<d>::Ones()) {
-      add<d>(shares, j, signs * c.transpose());
-      sum += c;
-    };
-    const Index own = solid.bonds.slots.of(i);
-    for_each_bond(solid.bonds, own, [&](const BondEntry<d>& bond, const Vec<d>&) {
-      put(particle[bond.other], bond.vector(solid.bonds.stencil));
-    });
-    for_each_image(solid.bonds, own, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
-      const Vec<d> c = bond.vector(solid.bonds.mirror->stencil);
-      if (c.squaredNorm() > 0) put(particle[bond.other], c, signs);
-    });
-    put(i, -sum);
-  };
+SparseMatrix gradient_operator(const OperatorRows<d>& rows, Index n) {
   const auto append = [](auto& m, Index i, const Shares<d>& shares) {
     for (int a = 0; a < d; ++a)
       for (int b = 0; b < d; ++b) {
@@ -98,32 +43,13 @@ SparseMatrix gradient_operator(const Solid<d>& solid, const std::vector<Index>& 
         for (const Share<d>& s : shares) m.insertBack(d * d * i + d * a + b, d * s.other + a) = s.table(a, b);
       }
   };
-  const Index n = solid.cloud.size();
-  return filled<d>(n, d * d * n, d * n, row_of, append);
+  return filled<d>(
+      n, d * d * n, d * n, [&](Index i, Shares<d>& shares) { rows.gradient(i, shares); }, append);
 }
 
 /// -V D: first Piola-Kirchhoff stresses to minus the force on each particle.
 template <int d>
-SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& particle) {
-  const BondTable<d>& t = solid.bonds;
-  const auto row_of = [&](Index i, Shares<d>& shares) {
-    const Index slot = t.slots.of(i), row = t.row[slot / t.width], lane = slot % t.width;
-    const auto put = [&](Index j, const Vec<d>& weight, const Vec<d>& signs = Vec<d>::Ones()) {
-      add<d>(shares, j, -solid.cloud.V[i] * signs * signs.cwiseProduct(weight).transpose());
-    };
-    Vec<d> own;
-    for (int k = 0; k < d; ++k) own[k] = t.own_force[(row * d + k) * t.width + lane];
-    if (t.mirror)
-      for (int k = 0; k < d; ++k) own[k] += t.mirror->own_force[(row * d + k) * t.width + lane];
-    put(i, own);
-    for_each_bond(t, slot, [&](const BondEntry<d>& bond, const Vec<d>&) {
-      put(particle[bond.other], bond.vector(t.force_weights()));
-    });
-    for_each_image(t, slot, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
-      const Vec<d> a = bond.vector(t.mirror->force);
-      if (a.squaredNorm() > 0) put(particle[bond.other], a, signs);
-    });
-  };
+SparseMatrix force_operator(const OperatorRows<d>& rows, Index n) {
   const auto append = [](auto& m, Index i, const Shares<d>& shares) {
     for (int a = 0; a < d; ++a) {
       m.startVec(d * i + a);
@@ -131,37 +57,38 @@ SparseMatrix force_operator(const Solid<d>& solid, const std::vector<Index>& par
         for (int b = 0; b < d; ++b) m.insertBack(d * i + a, d * d * s.other + d * a + b) = s.table(a, b);
     }
   };
-  const Index n = solid.cloud.size();
-  return filled<d>(n, d * n, d * d * n, row_of, append);
+  return filled<d>(
+      n, d * n, d * d * n, [&](Index i, Shares<d>& shares) { rows.force(i, shares); }, append);
 }
 
-/// Sums of entries row by row. A row is put in order whenever it has doubled, so that the list never is much longer than the
+/// Sums of entries column by column. A column is put in order whenever it has doubled, so that the list never is much longer than the
 /// matrix; what meets in one place is added in the order in which it came.
-class RowSums {
+class ColumnSums {
  public:
-  explicit RowSums(Index rows)
-      : rows_(static_cast<std::size_t>(rows)), in_order_(static_cast<std::size_t>(rows), 0) {}
+  explicit ColumnSums(Index columns)
+      : columns_(static_cast<std::size_t>(columns)), in_order_(static_cast<std::size_t>(columns), 0) {}
 
   void add(Index row, Index column, double value) {
-    auto& entries = rows_[static_cast<std::size_t>(row)];
-    entries.emplace_back(static_cast<SparseMatrix::StorageIndex>(column), value);
-    if (entries.size() > 2 * in_order_[static_cast<std::size_t>(row)] + 64) put_in_order(row);
+    auto& entries = columns_[static_cast<std::size_t>(column)];
+    entries.emplace_back(static_cast<SparseMatrix::StorageIndex>(row), value);
+    if (entries.size() > 2 * in_order_[static_cast<std::size_t>(column)] + 64) put_in_order(column);
   }
 
+  /// Empties itself.
   SparseMatrix matrix() {
-    const auto count = static_cast<Index>(rows_.size());
+    const auto count = static_cast<Index>(columns_.size());
     Index entries = 0;
-    for (Index row = 0; row < count; ++row) {
-      put_in_order(row);
-      entries += static_cast<Index>(rows_[static_cast<std::size_t>(row)].size());
+    for (Index column = 0; column < count; ++column) {
+      put_in_order(column);
+      entries += static_cast<Index>(columns_[static_cast<std::size_t>(column)].size());
     }
-    Eigen::SparseMatrix<double, Eigen::RowMajor> m(count, count);
+    SparseMatrix m(count, count);
     m.reserve(entries);
-    for (Index row = 0; row < count; ++row) {
-      m.startVec(row);
-      for (const auto& [column, value] : rows_[static_cast<std::size_t>(row)])
+    for (Index column = 0; column < count; ++column) {
+      m.startVec(column);
+      for (const auto& [row, value] : columns_[static_cast<std::size_t>(column)])
         m.insertBack(row, column) = value;
-      std::vector<Entry>().swap(rows_[static_cast<std::size_t>(row)]);
+      std::vector<Entry>().swap(columns_[static_cast<std::size_t>(column)]);
     }
     m.finalize();
     return m;
@@ -170,8 +97,8 @@ class RowSums {
  private:
   using Entry = std::pair<SparseMatrix::StorageIndex, double>;
 
-  void put_in_order(Index row) {
-    auto& entries = rows_[static_cast<std::size_t>(row)];
+  void put_in_order(Index column) {
+    auto& entries = columns_[static_cast<std::size_t>(column)];
     std::stable_sort(entries.begin(), entries.end(),
                      [](const Entry& a, const Entry& b) { return a.first < b.first; });
     std::size_t end = 0;
@@ -182,12 +109,24 @@ class RowSums {
         entries[end++] = entry;
     }
     entries.resize(end);
-    in_order_[static_cast<std::size_t>(row)] = end;
+    in_order_[static_cast<std::size_t>(column)] = end;
   }
 
-  std::vector<std::vector<Entry>> rows_;
+  std::vector<std::vector<Entry>> columns_;
   std::vector<std::size_t> in_order_;
 };
+
+/// The stiffness of these terms between particles, at the places that keep(row, column) chooses.
+template <int d, class Keep>
+SparseMatrix sum_of_terms(const Solid<d>& solid, const std::vector<Term<d>>& terms, Keep&& keep) {
+  ColumnSums sums(solid.cloud.size());
+  for (const auto& term : terms)
+    if (term.stiffness)
+      term.stiffness(solid, [&](Index i, Index j, double value) {
+        if (keep(i, j)) sums.add(i, j, value);
+      });
+  return sums.matrix();
+}
 
 }  // namespace
 
@@ -206,24 +145,31 @@ SparseMatrix per_component(const SparseMatrix& between_particles, int components
 
 template <int d>
 LinearOperators linear_operators(const Solid<d>& solid) {
-  const std::vector<Index> particle = particle_of_slot(solid);
+  const OperatorRows<d> rows(solid);
   LinearOperators operators;
-  operators.gradient = gradient_operator(solid, particle);
-  operators.force = force_operator(solid, particle);
-  RowSums terms(solid.cloud.size());
-  for (const auto& term : solid.terms)
-    if (term.stiffness)
-      term.stiffness(solid, [&](Index i, Index j, double value) { terms.add(i, j, value); });
-  operators.terms = terms.matrix();
-  operators.identity.resize(d * d * solid.cloud.size());
+  operators.gradient = gradient_operator(rows, solid.cloud.size());
+  operators.force = force_operator(rows, solid.cloud.size());
+  operators.terms = sum_of_terms(solid, solid.terms, [](Index, Index) { return true; });
+  operators.identity = gradients_of_reference(solid);
+  return operators;
+}
+
+template <int d>
+SparseMatrix half_of_terms(const Solid<d>& solid, const std::vector<Term<d>>& terms) {
+  return sum_of_terms(solid, terms, [](Index i, Index j) { return i >= j; });
+}
+
+template <int d>
+Eigen::VectorXd gradients_of_reference(const Solid<d>& solid) {
+  Eigen::VectorXd all(d * d * solid.cloud.size());
   Mat<d> identity = Mat<d>::Zero();
   for (Index i = 0; i < solid.cloud.size(); ++i) {
     const Mat<d> found = estimated_identity(solid.bonds, solid.bonds.slots.of(i));
     // round-off of the table must not make a tangent per particle
     if ((found - identity).cwiseAbs().maxCoeff() > 1e-12) identity = found;
-    for (int n = 0; n < d * d; ++n) operators.identity[d * d * i + n] = identity(n / d, n % d);
+    for (int n = 0; n < d * d; ++n) all[d * d * i + n] = identity(n / d, n % d);
   }
-  return operators;
+  return all;
 }
 
 template <int d>
@@ -300,12 +246,14 @@ SparseMatrix part_of(const SparseMatrix& matrix, const std::vector<Index>& rows,
   return part;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                      \
-  template LinearOperators linear_operators<d>(const Solid<d>&);                      \
-  template SparseMatrix tangent_operator<d>(const Solid<d>&, const Eigen::VectorXd&); \
-  template Linearised linearise<d>(const Solid<d>&);                                  \
-  template Eigen::VectorXd unknowns_of<d>(const Solid<d>&, const Field&);             \
-  template void set_unknowns<d>(const Solid<d>&, const Eigen::VectorXd&, Field&);     \
+#define PLUMBLINE_INSTANTIATE(d)                                                        \
+  template LinearOperators linear_operators<d>(const Solid<d>&);                        \
+  template SparseMatrix half_of_terms<d>(const Solid<d>&, const std::vector<Term<d>>&); \
+  template Eigen::VectorXd gradients_of_reference<d>(const Solid<d>&);                  \
+  template SparseMatrix tangent_operator<d>(const Solid<d>&, const Eigen::VectorXd&);   \
+  template Linearised linearise<d>(const Solid<d>&);                                    \
+  template Eigen::VectorXd unknowns_of<d>(const Solid<d>&, const Field&);               \
+  template void set_unknowns<d>(const Solid<d>&, const Eigen::VectorXd&, Field&);       \
   template Eigen::VectorXd masses_of<d>(const Solid<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

@@ -31,15 +31,15 @@ struct LinearOperators {
 };
 /// The matrix that is such a one for each component.
 SparseMatrix per_component(const SparseMatrix& between_particles, int components);
-/// Its product with a vector of d components per particle.
-template <int d>
-Eigen::VectorXd component_product(const SparseMatrix& between_particles, const Eigen::VectorXd& v) {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, d, d == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
-  const Rows product = between_particles * Eigen::Map<const Rows>(v.data(), v.size() / d, d);
-  return Eigen::Map<const Eigen::VectorXd>(product.data(), v.size());
-}
 template <int d>
 LinearOperators linear_operators(const Solid<d>& solid);
+
+/// The lower half of the stiffness of these terms [N/m] between particles, the same for every component.
+template <int d>
+SparseMatrix half_of_terms(const Solid<d>& solid, const std::vector<Term<d>>& terms);
+/// What the table makes of the reference, numbered as deformation gradients are: I for every consistent estimator.
+template <int d>
+Eigen::VectorXd gradients_of_reference(const Solid<d>& solid);
 
 /// T at these deformation gradients: one material tangent dP/dF [Pa] per particle.
 template <int d>
