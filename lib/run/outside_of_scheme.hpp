@@ -64,6 +64,7 @@ Standing<d> standing_of(Moving& moving) {
           std::move(shown.v), state.outside, energy.total() - energy.kinetic + energy.dissipated.value_or(0)};
 }
 
+/// Lets a simulation keep the budget of its scheme, if it is asked to.
 template <int d, class Moving>
 void give_budget(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
   const auto budget = std::make_shared<std::optional<SchemeBudget<d>>>();
