@@ -57,7 +57,7 @@ class PlaceGradients {
   Eigen::VectorXd times(const Eigen::VectorXd& u) const;
   /// Returns the sum over places of w_q G_q^T P_q [N] from stresses [Pa] and volumes w [m^d].
   Eigen::VectorXd forces(const Eigen::VectorXd& w, const Eigen::VectorXd& P) const;
-  /// Has both with the size of every number: no smaller than |G u| and |w G^T P|.
+  /// Returns these sums with the size of every number: no smaller than |G u| and |w G^T P|.
   Eigen::VectorXd largest_gradients(const Eigen::VectorXd& u) const;
   Eigen::VectorXd largest_forces(const Eigen::VectorXd& w, const Eigen::VectorXd& P) const;
   /// Returns G of the places from `first` to before `end` and of these unknowns, ascending, as a matrix.
