@@ -27,6 +27,7 @@ Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actio
   V_ = cloud.V;
   power_.assign(x_.size(), 0.0);
   damped_ = power_;
+  if (options_.stiffness_share() > 0) stiff_ = power_;
   if (options_.printed()) shepard_ = power_;
   if (options_.diffusion > 0) rate_ = power_;
   M_.assign(x_.size(), Mat<d>::Zero());
@@ -154,8 +155,11 @@ double Eulerian<d>::young() const {
 
 /// The stiffness of hourglass control shortens the step from a factor of 4 on.
 template <int d>
-double Eulerian<d>::step_limit(const State&) const {
-  const double own = options_.cfl * h_ / (wave_speed() * std::sqrt(std::max(1.0, options_.stiffness() / 4)));
+double Eulerian<d>::step_limit(const State& state) const {
+  double stiffness = options_.stiffness();
+  for (Index i = 0; i < count() && options_.xi_tension > 0; ++i)
+    stiffness = std::max(stiffness, stiffness_of(state, i));
+  const double own = options_.cfl * h_ / (wave_speed() * std::sqrt(std::max(1.0, stiffness / 4)));
   return outside_.contact().empty() ? own : std::min(own, outside_.contact().step_limit());
 }
 

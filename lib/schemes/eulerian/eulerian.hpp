@@ -93,6 +93,7 @@ class Eulerian {
   /// Moves next_.v on by half a step with the forces, loads and supports of a state.
   void kick(const State& state, double half);
   void stress_forces(State& state);
+  double stiffness_of(const State& state, Index i) const;
   void hourglass_forces(State& state);
   void viscous_forces(State& state);
   /// Adds the work of the forces of both ends of a step to that of next_, whose velocities were `from` [m/s].
@@ -112,7 +113,7 @@ class Eulerian {
 
   // room for one step, by particle
   std::vector<Vec<d>> x_, v_, half_, sum_;
-  std::vector<double> V_, shepard_, rate_, power_, damped_;
+  std::vector<double> V_, shepard_, rate_, power_, damped_, stiff_;
   std::vector<Mat<d>> M_, A_, L_, S_, extra_, repulsion_;
   std::vector<std::int32_t> near_;
   Field kick_, unused_;

@@ -1,4 +1,5 @@
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "lib/schemes/eulerian/eulerian.hpp"
@@ -14,6 +15,15 @@ Mat<d> tensile(const Mat<d>& stress) {
   const Eigen::SelfAdjointEigenSolver<Mat<d>> principal(0.5 * (stress + stress.transpose()));
   const Vec<d> kept = principal.eigenvalues().cwiseMax(0);
   return principal.eigenvectors() * kept.asDiagonal() * principal.eigenvectors().transpose();
+}
+
+/// The largest principal stress, or 0 where none is tensile [Pa].
+template <int d>
+double largest_tension(const Mat<d>& stress) {
+  return std::max(
+      0.0, Eigen::SelfAdjointEigenSolver<Mat<d>>(0.5 * (stress + stress.transpose()), Eigen::EigenvaluesOnly)
+               .eigenvalues()
+               .maxCoeff());
 }
 
 }  // namespace
@@ -48,11 +58,22 @@ void Eulerian<d>::stress_forces(State& state) {
   });
 }
 
+/// Weighed xi of (32) at a particle, which tension raises: (18.11).
+template <int d>
+double Eulerian<d>::stiffness_of(const State& state, Index i) const {
+  if (options_.xi_tension == 0) return options_.stiffness();
+  const Mat<d> stress = tensor_at<d>(state.stress, i) - pressure_of(state, i) * Mat<d>::Identity();
+  const double share = largest_tension<d>(stress) / young();
+  return options_.stiffness() + options_.stiffness_share() * options_.xi_tension * share * share;
+}
+
 /// (32), (33) and (34) with the signs that resist the error, and (33) with a density: of F_i and F_j as they
 /// are, and of the places before any deformation.
 template <int d>
 void Eulerian<d>::hourglass_forces(State& state) {
-  const double stiff = (options_.misprinted("32") ? -1 : 1) * options_.stiffness() * young();
+  const bool stiff = options_.stiffness_share() > 0;
+  const double half_modulus = (options_.misprinted("32") ? -0.5 : 0.5) * young();
+  if (stiff) for_particles(count(), [&](Index i) { stiff_[i] = half_modulus * stiffness_of(state, i); });
   const bool as_printed = options_.misprinted("33");
   const double viscous = (as_printed ? -1 : 1) * options_.viscous() * law_.sound_speed() * h_;
   const double far = 2 / kernel_.per_reach;  // pairs that were farther apart at first are none of the body
@@ -67,7 +88,8 @@ void Eulerian<d>::hourglass_forces(State& state) {
       if (length > far * far || failed(i) || failed(j)) continue;
       const Vec<d> error = (S_[i] + S_[j]) * X - r;  // (31)
       const double along = error.dot(r) / square;
-      if (stiff != 0) force += (stiff * V_[j] * kernel_.value(row.distance[m]) / length * along) * r;
+      if (stiff)
+        force += ((stiff_[i] + stiff_[j]) * V_[j] * kernel_.value(row.distance[m]) / length * along) * r;
       if (viscous != 0 && row.opening[m] * along < 0) {
         const double density = 0.5 * (state.density[0][i] + state.density[0][j]);
         const double volume = as_printed ? 1 : mass_[i] * mass_[j] / (V_[i] * V_[j] * density);
@@ -141,12 +163,13 @@ std::optional<OpenAcceleration> Eulerian<d>::open(const State& state, bool still
   return OpenAcceleration{kick_, outside_.loads()};
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                           \
-  template void Eulerian<d>::stress_forces(EulerianState<d>&);             \
-  template void Eulerian<d>::hourglass_forces(EulerianState<d>&);          \
-  template void Eulerian<d>::viscous_forces(EulerianState<d>&);            \
-  template void Eulerian<d>::find_forces(EulerianState<d>&);               \
-  template void Eulerian<d>::add_outside(const EulerianState<d>&, Field&); \
+#define PLUMBLINE_INSTANTIATE(d)                                                   \
+  template void Eulerian<d>::stress_forces(EulerianState<d>&);                     \
+  template double Eulerian<d>::stiffness_of(const EulerianState<d>&, Index) const; \
+  template void Eulerian<d>::hourglass_forces(EulerianState<d>&);                  \
+  template void Eulerian<d>::viscous_forces(EulerianState<d>&);                    \
+  template void Eulerian<d>::find_forces(EulerianState<d>&);                       \
+  template void Eulerian<d>::add_outside(const EulerianState<d>&, Field&);         \
   template std::optional<OpenAcceleration> Eulerian<d>::open(const EulerianState<d>&, bool);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

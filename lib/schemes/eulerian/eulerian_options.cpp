@@ -12,6 +12,8 @@ void read_numbers(const Section& section, EulerianOptions& o) {
     value = section.number_or(key, value, quantity::number, Sign::not_negative);
   };
   read({"xi", "of the stiffness control (32)"}, o.xi);
+  read({"xi_tension", "what the square of the largest tension over Young's modulus adds to xi"},
+       o.xi_tension);
   read({"zeta", "of the viscous control (33)"}, o.zeta);
   read({"chi", "share of the viscous control in the mixed one (34)"}, o.chi);
   if (o.chi > 1)
@@ -53,6 +55,8 @@ EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o)
                    fmt::format("it belongs to {}", of), "leave it out");
   };
   refuse_unused("xi", o.hourglass == "stiffness" || o.hourglass == "mixed", "the stiffness control (32)");
+  refuse_unused("xi_tension", o.hourglass == "stiffness" || o.hourglass == "mixed",
+                "the stiffness control (32)");
   refuse_unused("zeta", o.hourglass == "viscous" || o.hourglass == "mixed", "the viscous control (33)");
   refuse_unused("chi", o.hourglass == "mixed", "the mixed control (34)");
   refuse_unused("rereference", o.controls_hourglass(), "the F of hourglass control (30)");
@@ -80,6 +84,8 @@ EulerianOptions EulerianOptions::of_paper() {
 std::string EulerianOptions::in_words() const {
   std::string text = fmt::format("{} force, hourglass control {}, damping {}, cubic spline with h = {:g} dp",
                                  force, hourglass, damping, beta);
+  if (stiffness_share() > 0 && xi_tension > 0)
+    text += fmt::format(", xi {:g} and {:g} of tension", xi, xi_tension);
   if (has_viscosity()) text += fmt::format(", viscosity {:g}, {:g}", viscosity_linear, viscosity_quadratic);
   if (artificial_stress > 0) text += fmt::format(", artificial stress {:g}", artificial_stress);
   if (diffusion > 0) text += fmt::format(", diffusion of density {:g}", diffusion);

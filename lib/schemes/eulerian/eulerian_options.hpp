@@ -17,6 +17,7 @@ struct EulerianOptions {
   std::string damping = "objective";    ///< objective: half of the stress increment | extrapolated | none
   std::string hourglass = "stiffness";  ///< stiffness (32) | viscous (33) | mixed (34) | none
   double xi = 0.5;                      ///< of (32)
+  double xi_tension = 0;                ///< how tension raises xi, THEORY (18.11); not in the paper
   double zeta = 10;                     ///< of (33)
   double chi = 0.5;                     ///< of (34): share of (33)
   double viscosity_linear = 0;          ///< alpha of (17)
@@ -44,10 +45,10 @@ struct EulerianOptions {
   bool printed() const { return force == "printed"; }
   bool controls_hourglass() const { return hourglass != "none"; }
   bool has_viscosity() const { return viscosity_linear > 0 || viscosity_quadratic > 0; }
-  /// Factors of (32) and (33) as the choice of hourglass control weighs them.
-  double stiffness() const {
-    return hourglass == "stiffness" ? xi : hourglass == "mixed" ? (1 - chi) * xi : 0;
-  }
+  /// Weight of (32) in the choice of hourglass control.
+  double stiffness_share() const { return hourglass == "stiffness" ? 1 : hourglass == "mixed" ? 1 - chi : 0; }
+  /// Factors of (32), without tension, and of (33), as the choice weighs them.
+  double stiffness() const { return stiffness_share() * xi; }
   double viscous() const { return hourglass == "viscous" ? zeta : hourglass == "mixed" ? chi * zeta : 0; }
 };
 

@@ -97,6 +97,11 @@ std::vector<Statement> Eulerian<d>::account() const {
   if (options_.stiffness() > 0)
     add("hourglass", fmt::format("springs with xi = {:g} and E = {:.6g} Pa", options_.stiffness(), young()),
         "THEORY (18.9)");
+  if (options_.stiffness_share() > 0 && options_.xi_tension > 0)
+    add("hourglass",
+        fmt::format("xi grows by {:g} (s/E)^2 with the largest tension s",
+                    options_.stiffness_share() * options_.xi_tension),
+        "THEORY (18.11)");
   if (options_.viscous() > 0)
     add("hourglass", fmt::format("dampers with zeta = {:g} where the error grows", options_.viscous()),
         "THEORY (18.10)");
