@@ -85,7 +85,11 @@ struct Displaced {
   Vec<2> force;
   double power;
 };
-Displaced displaced(EulerianOptions o, const Vec<2>& velocity, double density = 1) {
+/// Shear stresses, whose principal stresses are of the same size, of the displaced particle and of the others.
+struct Shear {
+  double own = 0, others = 0;
+};
+Displaced displaced(EulerianOptions o, const Vec<2>& velocity, double density = 1, const Shear& shear = {}) {
   o.damping = "none";
   const Cloud<2> cloud = cells<2>({4, 4}, 1.0);
   const Index k = nearest<2>(cloud, Vec<2>(-0.4, -0.4));
@@ -93,6 +97,8 @@ Displaced displaced(EulerianOptions o, const Vec<2>& velocity, double density = 
   auto state = body.start({});
   state.u[0][k] = state.place[0][k] = 0.1;  // the reference of (30) lies there, so that F is that of before
   set_vector<2>(state.v, k, velocity);
+  for (Index i = 0; i < cloud.size(); ++i)
+    state.stress[1][i] = state.stress[2][i] = i == k ? shear.own : shear.others;
   EXPECT_FALSE(body.advance(state, 1e-13));  // what moves meanwhile is of this size
   const Vec<2> force = vector_at<2>(state.hourglass, k);
   return {force, force.dot(velocity)};
@@ -104,6 +110,38 @@ TEST(EulerianHourglass, SpringsPullBack) {
   EXPECT_NEAR(displaced(o, {0, 0}).force[0], -0.0387224405, 1e-10);
   o.misprints = {"32"};
   EXPECT_NEAR(displaced(o, {0, 0}).force[0], 0.0387224405, 1e-10);
+}
+
+/// xi + xi_t (s/E)^2, and the mean of both particles of a pair.
+TEST(EulerianHourglass, TensionStiffensSprings) {
+  EulerianOptions o;
+  o.xi = 1;
+  o.xi_tension = 5;
+  const double E = 9.0 / 7, s = 0.3, more = 5 * s * s / (E * E), plain = -0.0387224405;
+  EXPECT_NEAR(displaced(o, {0, 0}).force[0], plain, 1e-10);
+  EXPECT_NEAR(displaced(o, {0, 0}, 1, {s, s}).force[0], plain * (1 + more), 1e-10);
+  EXPECT_NEAR(displaced(o, {0, 0}, 1, {s, 0}).force[0], plain * (1 + more / 2), 1e-10);
+  EXPECT_NEAR(displaced(o, {0, 0}, 1, {0, s}).force[0], plain * (1 + more / 2), 1e-10);
+  o.hourglass = "mixed";
+  o.zeta = 0;
+  o.chi = 0.2;
+  EXPECT_NEAR(displaced(o, {0, 0}, 1, {s, s}).force[0], 0.8 * plain * (1 + more), 1e-10);
+}
+
+/// The step follows the stiffest spring: its factor over 4, from 4 on. A density above that of rest is pressure, which
+/// takes tension away.
+TEST(EulerianHourglass, TensionShortensTheStep) {
+  EulerianOptions o;
+  o.xi = 1;
+  o.xi_tension = 100;
+  const Cloud<2> cloud = cells<2>({4, 4}, 1.0);
+  auto body = eulerian_body<2>(cloud, o, {9.0 / 7, 2.0 / 7, 1});
+  auto state = body.start({});
+  const double at_rest = body.step_limit(state), E = 9.0 / 7;
+  state.stress[1][5] = state.stress[2][5] = 0.5;
+  EXPECT_NEAR(at_rest / body.step_limit(state), std::sqrt((1 + 100 * 0.25 / (E * E)) / 4), 1e-12);
+  state.density[0][5] = 2;
+  EXPECT_EQ(body.step_limit(state), at_rest);
 }
 
 TEST(EulerianHourglass, DampersTakeEnergy) {
