@@ -70,7 +70,7 @@ if(TARGET plumb)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification
           COMPONENT program)
   set(shell_files ${PROJECT_BINARY_DIR}/generated/shell)
-  install(FILES ${shell_files}/scene.json ${shell_files}/study.json ${shell_files}/path.json
+  install(FILES ${shell_files}/scene.json ${shell_files}/study.json ${shell_files}/stability-study.json ${shell_files}/path.json
           ${PROJECT_SOURCE_DIR}/verification/schema/result.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline/verification/schema COMPONENT program)
   install(FILES ${shell_files}/keys-of-scenes.md ${shell_files}/keys-of-studies.md DESTINATION ${CMAKE_INSTALL_DOCDIR}

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "lib/input/explored_keys.hpp"
 #include "lib/input/section.hpp"
 #include "lib/scene/read_scene.hpp"
 
@@ -32,8 +33,7 @@ EdgeParameter read_parameter(const Section& section) {
   std::vector<std::string> names;
   names.reserve(parameters.size());
   for (const auto& one : parameters) names.emplace_back(one.name);
-  const std::string name = section.text("parameter");
-  section.choice_or("parameter", name, names);
+  const std::string name = section.choice({"parameter", "what is driven to the edge of stability"}, names);
   for (const auto& one : parameters)
     if (name == one.name) return one.parameter;
   return EdgeParameter::cfl;
@@ -41,9 +41,11 @@ EdgeParameter read_parameter(const Section& section) {
 
 void read_range(const Section& section, StabilityStudy& study) {
   if (study.parameter == EdgeParameter::stretch) return;
-  study.from = section.number("from", quantity::number, Sign::not_negative);
-  study.to = section.number("to", quantity::number, Sign::positive);
-  study.tolerance = section.number_or("tolerance", study.tolerance, quantity::number, Sign::positive);
+  study.from = section.number({"from", "stable end of the range in which the edge is looked for"},
+                              quantity::number, Sign::not_negative);
+  study.to = section.number({"to", "other end of that range"}, quantity::number, Sign::positive);
+  study.tolerance = section.number_or({"tolerance", "the edge is found to this share of it"}, study.tolerance,
+                                      quantity::number, Sign::positive);
   if (study.from >= study.to)
     section.fail("to", fmt::format("{:g} is not beyond from = {:g}", study.to, study.from),
                  "the edge lies between them");
@@ -51,17 +53,18 @@ void read_range(const Section& section, StabilityStudy& study) {
 
 std::vector<Variant> read_variants(const Section& root) {
   std::vector<Variant> variants;
-  for (const auto& section : root.sections("variant")) {
-    variants.push_back(
-        {section.text("name"), section.has("set") ? section.texts("set") : std::vector<std::string>{}});
+  for (const auto& section : root.sections({"variant", "schemes that are compared, one section each"})) {
+    variants.push_back({section.text({"name", "what results call it"}),
+                        section.has("set")
+                            ? section.texts({"set", "settings of the scene, \"section.key=value\""})
+                            : std::vector<std::string>{}});
     section.reject_unknown();
   }
   return variants;
 }
 
-/// Those of the study itself, then those of the list that it names: a file that several studies share.
-std::vector<Variant> all_variants(const Section& root, const std::string& list) {
-  std::vector<Variant> variants = read_variants(root);
+/// Behind those of the study, those of the list that it names: a file that several studies share.
+void add_shared_variants(const std::string& list, std::vector<Variant>& variants) {
   if (!list.empty()) {
     const TomlValue document = parse_document(read_text(list), list);
     const Section shared(document, "");
@@ -69,7 +72,41 @@ std::vector<Variant> all_variants(const Section& root, const std::string& list) 
     shared.reject_unknown();
   }
   if (variants.empty()) variants.push_back({"as written", {}});
-  return variants;
+}
+
+/// Everything that the file itself says; `list`: the file of further variants.
+StabilityStudy study_of_keys(const TomlValue& document, const std::string& path, std::string& list,
+                             KeyNotes* notes) {
+  const Section root(document, "", notes);
+  const Section head =
+      root.section({"stability", "the scene, what is varied, and when a run counts as unstable"});
+  StabilityStudy study;
+  study.name = head.text_or({"name", "what results call it; the file's name where it is left out"},
+                            std::filesystem::path(path).stem().string());
+  const auto beside = [&path](const std::string& file) {
+    return (std::filesystem::path(path).parent_path() / file).lexically_normal().string();
+  };
+  study.file = beside(head.text({"scene", "the scene, relative to this file"}));
+  if (head.has("set"))
+    study.set = head.texts({"set", "settings of the scene for all runs, \"section.key=value\""});
+  study.parameter = read_parameter(head);
+  read_range(head, study);
+  study.over = head.text_or({"over", "dotted key of the second parameter"}, "");
+  study.values =
+      study.over.empty() ? std::vector<std::string>{""} : head.texts({"values", "of the second parameter"});
+  study.bounds.energy_growth = head.optional_number(
+      {"energy_growth", "growth of the energy, relative, from which a run counts as unstable"},
+      quantity::number, Sign::not_negative);
+  study.bounds.hourglass = head.optional_number(
+      {"hourglass", "share of motion that neighbours do not explain, from which it does"}, quantity::number,
+      Sign::positive);
+  list = head.has("schemes")
+             ? beside(head.text({"schemes", "a file of further variants, relative to this one"}))
+             : "";
+  head.reject_unknown();
+  study.variants = read_variants(root);
+  root.reject_unknown();
+  return study;
 }
 
 /// Every scene of the study is read before the first one runs.
@@ -108,29 +145,21 @@ Scene varied_scene(const StabilityStudy& study, const std::vector<std::string>& 
 }
 
 StabilityStudy read_stability_study(const std::string& path, const std::vector<std::string>& overrides) {
-  const TomlValue document = parse_document(read_text(path), path, overrides);
-  const Section root(document, "");
-  const Section head = root.section("stability");
-  StabilityStudy study;
-  study.name = head.text_or("name", std::filesystem::path(path).stem().string());
-  const auto beside = [&path](const std::string& file) {
-    return (std::filesystem::path(path).parent_path() / file).lexically_normal().string();
-  };
-  study.file = beside(head.text("scene"));
+  std::string list;
+  StabilityStudy study = study_of_keys(parse_document(read_text(path), path, overrides), path, list, nullptr);
   study.scene = read_text(study.file);
-  if (head.has("set")) study.set = head.texts("set");
-  study.parameter = read_parameter(head);
-  read_range(head, study);
-  study.over = head.text_or("over", "");
-  study.values = study.over.empty() ? std::vector<std::string>{""} : head.texts("values");
-  study.bounds.energy_growth = head.optional_number("energy_growth", quantity::number, Sign::not_negative);
-  study.bounds.hourglass = head.optional_number("hourglass", quantity::number, Sign::positive);
-  const std::string list = head.has("schemes") ? beside(head.text("schemes")) : "";
-  head.reject_unknown();
-  study.variants = all_variants(root, list);
-  root.reject_unknown();
+  add_shared_variants(list, study.variants);
   require_scenes(study);
   return study;
+}
+
+KeyNotes keys_of_stability_studies() {
+  const TomlValue first = parse_document(
+      "[stability]\nscene = \"scene.toml\"\nparameter = \"cfl\"\nfrom = 0.25\nto = 2", "sample");
+  return explored_keys({first}, [](const TomlValue& document, KeyNotes& notes) {
+    std::string list;
+    study_of_keys(document, "", list, &notes);
+  });
 }
 
 }  // namespace plumb

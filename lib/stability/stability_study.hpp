@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/input/key_notes.hpp"
 #include "lib/stability/trial.hpp"
 
 namespace plumb {
@@ -36,6 +37,9 @@ struct StabilityStudy {
 /// Reads a study file; `scene` in it, and `schemes`, a file of further variants, are relative to the file.
 /// Throws SceneError.
 StabilityStudy read_stability_study(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Finds every key that such a file may have, by asking its reader.
+KeyNotes keys_of_stability_studies();
 
 /// The overrides of one run: of the study, the variant, the second parameter, and `value` of the first.
 std::vector<std::string> overrides_of(const StabilityStudy& study, const Variant& variant,

@@ -69,6 +69,7 @@ TEST(KeySchema, EverySceneStudyAndPathFits) {
   EXPECT_GE(files_that_fit("scenes", "scene", "scene"), 46);
   EXPECT_GE(files_that_fit("comparison", "scene", "scene"), 3);
   EXPECT_GE(files_that_fit("studies", "study", "study"), 18);
+  EXPECT_GE(files_that_fit("stability", "stability-study", "stability"), 9);
   EXPECT_GE(files_that_fit("material", "path", "path"), 4);
 }
 
@@ -131,6 +132,9 @@ TEST(KeySchema, KeysThatUsersRelyOnAreThere) {
        "study.name study.solution study.spacings study.time study.periods study.force "
        "study.quadrature study.parameters.amplitude expect.l2 expect.h1 expect.reason body.size "
        "material.young method.scheme jst.eta4"},
+      {"stability-study",
+       "stability.scene stability.parameter stability.from stability.to stability.over "
+       "stability.values variant.0.name variant.0.set"},
       {"path", "material.model material.young path.gradient path.deformation path.duration"}};
   for (const auto& [kind, keys] : promised) {
     std::istringstream words(keys);

@@ -29,7 +29,7 @@ const KeyNotes& paths() {
   return notes;
 }
 
-std::vector<std::string> files_in(const std::string& folder) {
+std::vector<std::string> toml_files_in(const std::string& folder) {
   std::vector<std::string> files;
   for (const auto& entry :
        fs::directory_iterator(std::string(PLUMBLINE_SOURCE_DIR "/verification/") + folder))
@@ -61,7 +61,7 @@ void expect_within(const KeyNotes& asked, const KeyNotes& known, const std::stri
 }
 
 TEST(KnownKeys, NoSceneAsksForAnother) {
-  for (const std::string& file : files_in("scenes")) {
+  for (const std::string& file : toml_files_in("scenes")) {
     KeyNotes asked;
     scene_of(parse_document(read_text(file), file), file, &asked);
     EXPECT_GT(asked.keys().size(), 30u) << file;  // [method] alone has a dozen
@@ -70,7 +70,7 @@ TEST(KnownKeys, NoSceneAsksForAnother) {
 }
 
 TEST(KnownKeys, NoStudyAsksForAnother) {
-  for (const std::string& file : files_in("studies")) {
+  for (const std::string& file : toml_files_in("studies")) {
     const TomlValue document = parse_document(read_text(file), file);
     if (!document.find("study")) continue;
     KeyNotes asked;
@@ -82,7 +82,7 @@ TEST(KnownKeys, NoStudyAsksForAnother) {
 }
 
 TEST(KnownKeys, NoPathAsksForAnother) {
-  for (const std::string& file : files_in("material")) {
+  for (const std::string& file : toml_files_in("material")) {
     KeyNotes asked;
     material_path_of(parse_document(read_text(file), file), &asked);
     expect_within(asked, paths(), file);

@@ -27,7 +27,7 @@ nlohmann::ordered_json rows_of(const KeyNotes& notes) {
 
 }  // namespace
 
-/// `plumb keys scene|study|path`: the page of all keys that such a file may have.
+/// `plumb keys scene|study|stability-study|path`: the page of all keys that such a file may have.
 void add_keys(CLI::App& program, Session& session) {
   const auto kind = std::make_shared<std::string>("scene");
   CLI::App& command = add_command(

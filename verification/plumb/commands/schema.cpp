@@ -30,7 +30,7 @@ std::vector<std::string> kinds() {
 
 }  // namespace
 
-/// `plumb schema scene|study|path|result`: what an editor needs to complete and check a file.
+/// `plumb schema scene|study|stability-study|path|result`: what an editor needs to complete and check a file.
 void add_schema(CLI::App& program, Session& session) {
   const auto kind = std::make_shared<std::string>("scene");
   CLI::App& command =

@@ -6,7 +6,7 @@
 
 namespace plumb::app {
 
-/// Lists the kinds of files of which the keys are known: scene, study, path.
+/// Lists the kinds of files of which the keys are known: scene, study, stability-study, path.
 std::vector<std::string> known_files();
 
 /// Finds the keys of one kind. Throws InputError that names the nearest kind.
