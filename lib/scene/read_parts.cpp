@@ -156,6 +156,12 @@ std::vector<Boundary> read_boundaries(const Section& root, int dimension) {
   return boundaries;
 }
 
+std::vector<Expression> read_exact(const Section& root, int dimension) {
+  const auto section = root.optional_section("output");
+  if (!section || !section->has("exact")) return {};
+  return section->formulas("exact", dimension, quantity::length, Variables::space_and_time);
+}
+
 std::optional<Output> read_output(const Section& root, const Body& body) {
   const auto section = root.optional_section("output");
   if (!section) return std::nullopt;
@@ -164,6 +170,7 @@ std::optional<Output> read_output(const Section& root, const Body& body) {
   output.checkpoint = section->optional_number("checkpoint", quantity::time, Sign::positive);
   output.vtk = section->flag_or("vtk", output.vtk);
   output.series = section->flag_or("series", output.series);
+  section->has("exact");  // known: read_exact() has it
   output.budget = section->flag_or("budget", output.budget);
   if (section->has("fields")) output.fields = read_fields(*section);
   for (const auto& part : section->sections("probe")) {
