@@ -177,6 +177,13 @@ std::vector<Boundary> read_boundaries(const Section& root, int dimension) {
   return boundaries;
 }
 
+std::vector<Expression> read_exact(const Section& root, int dimension) {
+  const auto section = root.optional_section("output");
+  if (!section || !section->has("exact")) return {};
+  return section->formulas({"exact", "displacement that the answer is compared with"}, dimension,
+                           quantity::length, Variables::space_and_time);
+}
+
 std::optional<Output> read_output(const Section& root, const Body& body) {
   const auto section = root.optional_section({"output", "what is written; without it the summary only"});
   if (!section) return std::nullopt;
@@ -189,6 +196,7 @@ std::optional<Output> read_output(const Section& root, const Body& body) {
   output.vtk = section->flag_or({"vtk", "particles as .vtp files with a .pvd"}, output.vtk);
   output.series =
       section->flag_or({"series", "energies, momenta and probes against time as CSV"}, output.series);
+  section->has("exact");  // known: read_exact() has it
   output.budget = section->flag_or(
       {"budget", "momenta and energy by the cause that changed them, every step, as CSV"}, output.budget);
   if (section->has("fields")) output.fields = read_fields(*section);

@@ -137,6 +137,7 @@ Scene scene_of(const TomlValue& document, const std::string& file_name, KeyNotes
   scene.contacts = read_contacts(root, scene.dimension);
   refuse_following_pressure(root, scene);
   scene.relaxation = read_relaxation(root);
+  scene.exact = read_exact(root, scene.dimension);
   scene.output = read_output(root, scene.body);
   if (scene.relaxation) refuse_restless(root, scene);
   refuse_endless_output(root, scene);

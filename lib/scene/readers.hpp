@@ -28,6 +28,8 @@ Method read_method(const Section& root, const Body& body);
 std::optional<Initial> read_initial(const Section& root, int dimension);
 std::vector<Boundary> read_boundaries(const Section& root, int dimension);
 std::optional<Output> read_output(const Section& root, const Body& body);
+/// Reads what [output] says of the exact displacement; empty if it says nothing.
+std::vector<Expression> read_exact(const Section& root, int dimension);
 
 /// Refuses beside layout = "mirror" what knows nothing of images.
 void refuse_beside_mirror(const Section& root, Layout layout, const Method& method);

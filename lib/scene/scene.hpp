@@ -186,6 +186,8 @@ struct Scene {
   std::vector<ContactOptions> contacts;         ///< [[contact]]; empty: no walls
   std::optional<RelaxationOptions> relaxation;  ///< absent: the run ends at its time, at rest or not
   std::optional<Output> output;                 ///< absent: the summary only
+  /// [output] exact: displacement [m] in X, Y, Z, t that the end of the run is held against; as many as the dimension, or empty.
+  std::vector<Expression> exact;
 };
 
 }  // namespace plumb

@@ -318,5 +318,43 @@ TEST(RunValues, TheSummaryTellsTheProbeTheWorkAndTheFiles) {
   EXPECT_EQ(text.substr(text.size() - end.size()), end);
 }
 
+/// A block whose sides are all led by an affine motion follows it; what is off is 1 mm, in x alone.
+TEST(RunValues, AnExactDisplacementIsHeldAgainstTheEnd) {
+  const auto error_with = [](const std::string& exact) {
+    std::string scene = R"toml(
+[scene]
+name = "affine"
+dimension = 2
+end_time = "1 s"
+[body]
+size = [1, 1]
+spacing = 0.2
+layout = "node"
+[material]
+model = "linear-elastic"
+young = "17 MPa"
+poisson = 0.3
+density = 1100
+[method]
+scheme = "implicit"
+gradient = "compatible"
+)toml";
+    for (const char* face : {"x-", "x+", "y-", "y+"})
+      scene += std::string("[[boundary]]\nface = \"") + face +
+               "\"\nkind = \"displacement\"\ndisplacement = [\"0.01*X*t\", \"-0.02*Y*t\"]\n";
+    const SceneFolder folder(scene + (exact.empty() ? "" : "[output]\nexact = " + exact + "\n"));
+    EXPECT_EQ(folder.run("out").code, 0);
+    return folder.summary("out").value("error", json());
+  };
+  EXPECT_TRUE(error_with("").is_null());
+  EXPECT_LT(at(error_with(R"(["0.01*X*t", "-0.02*Y*t"])")["displacement_m"]), 1e-11);
+  const json off = error_with(R"(["0.01*X*t + 0.001*t", "-0.02*Y*t"])");
+  EXPECT_NEAR(at(off["displacement_m"]), 1e-3, 1e-10);
+  double size = 0;  // of the formulas
+  for (int i = 0; i < 6; ++i)
+    for (int k = 0; k < 6; ++k) size += std::pow(0.01 * 0.2 * i + 0.001, 2) + std::pow(0.02 * 0.2 * k, 2);
+  EXPECT_NEAR(at(off["displacement"]), 1e-3 / std::sqrt(size / 36), 1e-7);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -56,6 +56,7 @@ const std::vector<Shown> axes{
     {"displacement", {"tip displacement x [m]", "tip displacement y [m]"}},
     {"hourglass share", {"hourglass share"}},
     {"1/2 - ν", {"1/2 - nu"}},
+    {"error of u", {"error of u"}},
 };
 
 /// Static studies have relative errors under the plain names.

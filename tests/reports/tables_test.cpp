@@ -66,6 +66,10 @@ const std::multimap<std::string, std::string> headings{
     {"found", "bytes_per_particle"},
     {"found", "setup_cpu_s"},
     {"coarsest", "constraint_inside"},
+    {"step", "first dt"},
+    {"drift of momentum", "linear drift"},
+    {"drift of angular momentum", "angular drift"},
+    {"strain energy", "strain"},
     {"finest", "constraint_inside"},
 };
 
@@ -88,6 +92,14 @@ const std::set<std::pair<std::string, std::string>> computed{
     {"flag", "off by"},
     {"scaling-runs", "tip"},  // the checks of the section hold it
     {"scaling-growth", "power"},
+    {"dynamics-runs", "off the reference"},  // ends of two runs: dynamics_test.cpp
+    {"dynamics-orders", "order"},
+    {"cantilever-runs", "paper"},  // printed
+    {"cantilever-runs", "paper's"},
+    {"cantilever-runs", "its paper's"},
+    {"cantilever-runs", "off the field's"},  // of the energy beside it: dynamics_test.cpp
+    {"cantilever-runs", "off the load's work"},
+    {"cantilever-orders", "order"},
 };
 
 /// What a number of a result is multiplied by to be shown in this unit.

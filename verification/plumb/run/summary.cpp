@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +47,25 @@ Json probes_json(const FinishedRun<d>& run) {
     probes[probe.name]["stress"] = at.cauchy ? rows_of(*at.cauchy) : Json();
   }
   return probes;
+}
+
+/// What the displacements are off by, as nodal norms.
+template <int d>
+Json error_json(const FinishedRun<d>& run) {
+  const Snapshot<d> shown = run.simulation.snapshot();
+  const double time = run.simulation.steps.now().time;
+  double error = 0, size = 0;
+  for (std::size_t i = 0; i < shown.X.size(); ++i) {
+    std::array<double, 3> X{};
+    std::copy_n(shown.X[i].data(), d, X.begin());
+    for (int k = 0; k < d; ++k) {
+      const double exact = run.scene.exact[static_cast<std::size_t>(k)].at(X, time);
+      error += (shown.u[i][k] - exact) * (shown.u[i][k] - exact);
+      size += exact * exact;
+    }
+  }
+  return {{"displacement", size > 0 ? Json(std::sqrt(error / size)) : Json()},
+          {"displacement_m", std::sqrt(error / static_cast<double>(shown.X.size()))}};
 }
 
 Json failure_json(const std::optional<Failure>& failure) {
@@ -165,6 +186,7 @@ Json summary(const FinishedRun<d>& run) {
       json["reactions"][boundary] = list<d>(force);
   }
   json["probes"] = probes_json(run);
+  if (!run.scene.exact.empty()) json["error"] = error_json(run);
   json["failure"] = failure_json(run.result.failure);
   if (run.result.failure)
     json["failure"]["likely_cause"] = run.tlsph && run.scene.method.scheme == "tlsph"
