@@ -10,7 +10,7 @@ namespace plumb {
 namespace {
 
 /// Sums of some ten rounded products.
-constexpr double rounding_of_sums = 1e-12;
+constexpr double rounded = 1e-12;
 
 template <int d>
 PlaceGradients<d> gradients_of(const Solid<d>& solid, const OperatorRows<d>& rows) {
@@ -50,7 +50,7 @@ void require_energy(const Solid<d>& solid, const OperatorRows<d>& rows, const Pl
     G.for_each(q, [&](std::int64_t n, const PlaceShare<d>& share) {
       if (!met[static_cast<std::size_t>(n)]) difference += (solid.cloud.V[q] * share.slope).squaredNorm();
     });
-  if (std::sqrt(difference) <= rounding_of_sums * std::sqrt(size)) return;
+  if (std::sqrt(difference) <= rounded * std::sqrt(size)) return;
   throw InputError(
       "this internal force has no energy",
       "equilibrium is sought as a stationary point of the energy, and the force is not its derivative",
