@@ -69,6 +69,7 @@ template <int d, class Moving>
 void give_budget(Simulation<d>& simulation, const std::shared_ptr<Moving>& moving) {
   const auto budget = std::make_shared<std::optional<SchemeBudget<d>>>();
   simulation.keep_budget = [moving, budget](const std::filesystem::path& file) {
+    moving->scheme.outside().follow_changes();
     budget->emplace(file, moving->scheme.outside(), moving->places, standing_of<d>(*moving));
   };
   simulation.close_step = [moving, budget](bool sound) {

@@ -34,14 +34,13 @@ void push(const Vec<3>& impulse, const Vec<3>& x, BudgetPart& part) {
 }  // namespace
 
 template <int d>
-SchemeBudget<d>::SchemeBudget(const std::filesystem::path& file, OutsideForces<d>& outside,
+SchemeBudget<d>::SchemeBudget(const std::filesystem::path& file, const OutsideForces<d>& outside,
                               std::vector<Index> places, Standing<d> start)
     : places_(std::move(places)),
       before_(std::move(start)),
       step_{parts_of(outside)},
       total_(step_),
       series_(file, budget_columns<d>(step_.parts)) {
-  outside.follow_changes();
   series_.append(budget_row<d>(before_.step, before_.time, total_, step_));
 }
 

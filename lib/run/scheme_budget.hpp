@@ -24,9 +24,9 @@ struct Standing {
 template <int d>
 class SchemeBudget {
  public:
-  /// Starts the file. `places`: of the particles in the fields of OutsideForces, which follows the changes of the
-  /// velocities from now on.
-  SchemeBudget(const std::filesystem::path& file, OutsideForces<d>& outside, std::vector<Index> places,
+  /// Starts the file. `places`: of the particles in the fields of OutsideForces, which must follow the changes of the
+  /// velocities by then: OutsideForces::follow_changes().
+  SchemeBudget(const std::filesystem::path& file, const OutsideForces<d>& outside, std::vector<Index> places,
                Standing<d> start);
 
   /// Closes the account of a step; call it after each.
