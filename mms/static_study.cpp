@@ -8,6 +8,7 @@
 
 #include "lib/core/dimension.hpp"
 #include "lib/schemes/tlsph/statics/statics.hpp"
+#include "mms/finite_equilibrium.hpp"
 #include "mms/level.hpp"
 #include "mms/manufactured.hpp"
 #include "mms/static_surface.hpp"
@@ -53,13 +54,23 @@ Exact<d> exact_at(const Manufactured<d>& solution, const Cloud<d>& cloud, double
   return exact;
 }
 
+/// The equilibrium is that of finite strains: scheme "implicit".
+bool finite(const Study& study) {
+  return study.method.scheme == "implicit";
+}
+
 template <int d>
-void measure_equilibrium(const Study& study, const Solid<d>& solid, const Linearised& body, Exact<d>& exact,
+Eigen::VectorXd linear_equilibrium(const Study& study, const Solid<d>& solid, const Linearised& body,
+                                   Exact<d>& exact, const Manufactured<d>& solution, double time) {
+  const std::vector<Prescribed> prescribed =
+      surface_conditions<d>(study, solution, solid.cloud, time, exact.u, exact.load);
+  return equilibrium(body.stiffness, exact.load, prescribed);
+}
+
+template <int d>
+void measure_equilibrium(const Study& study, const Solid<d>& solid, const Eigen::VectorXd& found,
                          const Manufactured<d>& solution, double time, StaticLevel& level) {
   const Cloud<d>& cloud = solid.cloud;
-  const std::vector<Prescribed> prescribed =
-      surface_conditions<d>(study, solution, cloud, time, exact.u, exact.load);
-  const Eigen::VectorXd found = equilibrium(body.stiffness, exact.load, prescribed);
   State<d> state = make_state(solid);
   for (Index i = 0; i < cloud.size(); ++i)
     set_vector<d>(state.u, solid.bonds.slots.of(i), found.template segment<d>(d * i));
@@ -81,7 +92,7 @@ template <int d>
 StaticLevel run_level(const Study& study, const Manufactured<d>& solution, double spacing) {
   StaticLevel level;
   const double start = cpu_now();
-  const TlsphBody<d> simulation = still_body_of<d>(study, solution, spacing);
+  TlsphBody<d> simulation = still_body_of<d>(study, solution, spacing);
   const Solid<d>& solid = simulation.solid;
   if (simulation.compatible && !simulation.compatible->closed_form)
     level.projection = {simulation.compatible->divergence_defect, simulation.compatible->residual};
@@ -89,9 +100,16 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   level.n = solid.cloud.size();
   level.spacing = spacing;
   const double time = end_time(study);
+  if (finite(study)) {
+    measure_equilibrium(study, solid, finite_equilibrium(simulation, solution, time, study.method.implicit),
+                        solution, time, level);
+    level.solve_s = cpu_now() - start - level.setup_s;
+    return level;
+  }
   Exact<d> exact = exact_at(solution, solid.cloud, time);
   const Linearised body = linearise(solid);
-  measure_equilibrium(study, solid, body, exact, solution, time, level);
+  measure_equilibrium(study, solid, linear_equilibrium(study, solid, body, exact, solution, time), solution,
+                      time, level);
   if (!solution.still && exact.unbalanced < balanced) {
     const double omega = 2 * std::acos(-1.0) / solution.period;
     try {
@@ -139,6 +157,10 @@ StaticResult run_static_in(const Study& study, const StudyProgress& progress, Si
     throw InputError("a static study needs particles on the surface of a box, or a solution at rest",
                      "displacements are prescribed there",
                      "Use layout = \"node\" and a solution on a box, or one that is at rest.");
+  if (finite(study) && solution.still)
+    throw InputError("scheme = \"implicit\" with a solution at rest",
+                     "those are of small strains, and some have tractions",
+                     "leave scheme out, or use a solution that moves: it is frozen at its time");
   StaticResult result;
   for (const double spacing : study.spacings) {
     result.levels.push_back(sitting.value<StaticLevel>(

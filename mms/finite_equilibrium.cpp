@@ -1,0 +1,61 @@
+#include "mms/finite_equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include "lib/core/error.hpp"
+#include "lib/schemes/implicit/equilibrium.hpp"
+
+namespace plumb::mms {
+namespace {
+
+/// The surface goes to its place, and the force grows, in one unit of time.
+template <int d>
+Actions<d> actions_of(const Cloud<d>& cloud, const Manufactured<d>& solution, double time) {
+  Actions<d> actions;
+  Held<d> surface{"surface", {}, {}, false};
+  for (Index i = 0; i < cloud.size(); ++i)
+    for (int side = 0; side < d; ++side) {
+      const double from_low = cloud.X[i][side] - cloud.box.lower[side],
+                   from_high = cloud.box.upper[side] - cloud.X[i][side];
+      if (std::min(from_low, from_high) > 1e-9 * cloud.spacing) continue;
+      for (int k = 0; k < d; ++k) surface.places.push_back({i, k, cloud.X[i]});
+      break;
+    }
+  surface.motion = [displacement = solution.motion, time](const Vec<d>& at, int component, double share) {
+    const double u = displacement(at, time).displacement[component];
+    return HeldMotion{share * u, u, 0};
+  };
+  actions.held.push_back(std::move(surface));
+  BodyForce<d> force{"force", {}, true};
+  force.per_volume = [&solution, time](const Vec<d>& X, double) -> Vec<d> {
+    return -solution.stress_divergence(solution.motion(X, time));
+  };
+  actions.body_forces.push_back(std::move(force));
+  return actions;
+}
+
+}  // namespace
+
+template <int d>
+Eigen::VectorXd finite_equilibrium(TlsphBody<d>& body, const Manufactured<d>& solution, double time,
+                                   const ImplicitOptions& options) {
+  const Solid<d>& solid = body.solid;
+  State<d> state = make_state(solid);
+  const auto result =
+      find_equilibrium<d>(solid, actions_of<d>(solid.cloud, solution, time), 1, options, state);
+  if (!result.completed())
+    throw InputError("no equilibrium is found", result.failure->in_words(), "take more [implicit] steps");
+  Eigen::VectorXd u(d * solid.cloud.size());
+  for (Index i = 0; i < solid.cloud.size(); ++i)
+    u.template segment<d>(d * i) = vector_at<d>(state.u, solid.bonds.slots.of(i));
+  return u;
+}
+
+template Eigen::VectorXd finite_equilibrium<1>(TlsphBody<1>&, const Manufactured<1>&, double,
+                                               const ImplicitOptions&);
+template Eigen::VectorXd finite_equilibrium<2>(TlsphBody<2>&, const Manufactured<2>&, double,
+                                               const ImplicitOptions&);
+template Eigen::VectorXd finite_equilibrium<3>(TlsphBody<3>&, const Manufactured<3>&, double,
+                                               const ImplicitOptions&);
+
+}  // namespace plumb::mms
