@@ -8,7 +8,7 @@
 namespace plumb::testing {
 namespace {
 
-static_assert(Scheme<Mixed<1>, 1> && Scheme<Mixed<2>, 2> && Scheme<Mixed<3>, 3>);
+static_assert(plumb::Scheme<Mixed<1>, 1> && plumb::Scheme<Mixed<2>, 2> && plumb::Scheme<Mixed<3>, 3>);
 
 const std::vector<std::string> upwinds{"none", "constant", "reconstructed", "adjoint"};
 

@@ -9,7 +9,7 @@
 namespace plumb::testing {
 namespace {
 
-static_assert(Scheme<Updated<2>, 2> && Scheme<Updated<3>, 3>);
+static_assert(plumb::Scheme<Updated<2>, 2> && plumb::Scheme<Updated<3>, 3>);
 
 /// Every variant that differs in its sums.
 std::vector<UpdatedOptions> variants() {
