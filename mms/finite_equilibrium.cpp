@@ -15,8 +15,8 @@ Actions<d> actions_of(const Cloud<d>& cloud, const Manufactured<d>& solution, do
   Held<d> surface{"surface", {}, {}, false};
   for (Index i = 0; i < cloud.size(); ++i)
     for (int side = 0; side < d; ++side) {
-      const double from_low = cloud.X[i][side] - cloud.box.lower[side],
-                   from_high = cloud.box.upper[side] - cloud.X[i][side];
+      const double from_low = cloud.X[i][side] - cloud.box.origin[side],
+                   from_high = cloud.box.size[side] - from_low;
       if (std::min(from_low, from_high) > 1e-9 * cloud.spacing) continue;
       for (int k = 0; k < d; ++k) surface.places.push_back({i, k, cloud.X[i]});
       break;
