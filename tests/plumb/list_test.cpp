@@ -83,7 +83,7 @@ TEST(List, KnowsEveryKeyThatChoosesFromNames) {
     std::ifstream in(std::string(PLUMBLINE_SOURCE_DIR "/lib/") + file + ".cpp");
     ASSERT_TRUE(in) << file;
     const std::string text((std::istreambuf_iterator<char>(in)), {});
-    const std::regex call(R"x(choice_or\("([a-z_]+)")x");
+    const std::regex call(R"x(choice_or\(\s*\{?"([a-z_]+)")x");
     for (std::sregex_iterator match(text.begin(), text.end(), call), end; match != end; ++match)
       keys.insert((*match)[1]);
   }

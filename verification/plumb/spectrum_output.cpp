@@ -48,11 +48,14 @@ Json or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
-/// The motion at every particle, largest entry `largest`.
+/// The motion at every particle, its largest entry `largest`.
 template <int d>
 std::vector<double> motion_of(const Mode& mode, const LinearOperator<d>& op, double largest) {
   std::vector<double> u(static_cast<std::size_t>(op.solid().cloud.size() * d), 0.0);
-  const double scale = largest / mode.motion.cwiseAbs().maxCoeff();
+  Index first = 0;  // of the largest entries, which has the sign of `largest`: an eigenvector has none
+  const double most = mode.motion.cwiseAbs().maxCoeff();
+  while (std::abs(mode.motion[first]) < (1 - 1e-6) * most) ++first;
+  const double scale = largest / mode.motion[first];
   for (Index n = 0; n < op.size(); ++n) {
     const auto& [particle, axis] = op.components()[n];
     u[static_cast<std::size_t>(particle * d + axis)] = scale * mode.motion[n];
