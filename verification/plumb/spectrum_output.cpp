@@ -55,7 +55,7 @@ std::vector<double> motion_of(const Mode& mode, const LinearOperator<d>& op, dou
   Index first = 0;  // of the largest entries, which has the sign of `largest`: an eigenvector has none
   const double most = mode.motion.cwiseAbs().maxCoeff();
   while (std::abs(mode.motion[first]) < (1 - 1e-6) * most) ++first;
-  const double scale = largest / mode.motion[first];
+  const double scale = std::copysign(largest / most, mode.motion[first]);
   for (Index n = 0; n < op.size(); ++n) {
     const auto& [particle, axis] = op.components()[n];
     u[static_cast<std::size_t>(particle * d + axis)] = scale * mode.motion[n];
