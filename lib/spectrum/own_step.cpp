@@ -19,7 +19,7 @@ constexpr double disturbance = 1e-5;
 constexpr double preparation = 1e-12;
 /// What a step leaves less of than this is no oscillation: rounding makes such factors of 0.
 constexpr double least_factor = 1e-2;
-/// Factors are known to the root of that where two of them meet, as those of rigid motions do.
+/// J is known to some 1e-9, and factors to the root of that where two of them meet, as those of rigid motions do.
 const double factor_error = std::sqrt(1e-9);
 
 /// The size of a disturbance of one unit.
