@@ -126,12 +126,22 @@ void go_in_time(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way, M
 
 }  // namespace
 
+Statement said_of(const ImplicitOptions& options) {
+  return {std::string(ImplicitOptions::subject), options.in_words(), std::string(ImplicitOptions::theory)};
+}
+
 template <int d>
 void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene& scene) {
   refuse_what_it_has_not(scene);
   const auto way =
       std::make_shared<Way<d>>(Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, 0});
   leave_out_accounts(simulation, way->body.actions());
+  if (simulation.account)
+    simulation.account = [account = simulation.account, said = said_of(scene.method.implicit)] {
+      auto all = account();
+      all.push_back(said);
+      return all;
+    };
   const double tolerance = scene.method.implicit.tolerance;
   if (scene.method.implicit.midpoint)
     go_in_time<Midpoint<d>>(simulation, way, [way, tolerance](const BodyMotion& from) {

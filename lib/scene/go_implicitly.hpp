@@ -25,6 +25,9 @@ ImplicitBody<d> implicit_body(const std::shared_ptr<S>& state, const Slots& slot
           [state, slots](const BodyMotion& motion) { set_motion<d>(slots, motion, *state); }};
 }
 
+/// Says for a reader how Newton's method goes from step to step.
+Statement said_of(const ImplicitOptions& options);
+
 /// Makes the simulation go as [implicit] of the scene says: from equilibrium to equilibrium, where a step of
 /// dt is the way to the loads of dt later, or in time by the midpoint rule. Throws InputError if the scene
 /// has no end time, or a velocity that an equilibrium has not.

@@ -4,6 +4,7 @@
 
 #include "lib/core/error.hpp"
 #include "lib/scene/actions_of_scene.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/element/element.hpp"
 
@@ -26,8 +27,7 @@ BodyMotion motion_of_saved(const SavedState& saved, Index particles) {
 
 /// Loads of a search for equilibrium grow with the time; those of a motion are there from the beginning.
 PathPoint reached(const Scene& scene, double time) {
-  const bool seeks = scene.method.scheme == "implicit" || scene.method.element.by_newton();
-  const bool grows = seeks && !scene.method.implicit.moves() && scene.end_time;
+  const bool grows = solved_by_newton(scene.method) && !scene.method.implicit.moves() && scene.end_time;
   return {time, grows ? time / *scene.end_time : 1};
 }
 

@@ -106,49 +106,6 @@ void refuse_keys_of_tlsph(const Section& section, const std::string& scheme) {
                    "leave it out, or use scheme = \"tlsph\"");
 }
 
-/// The section of the scheme, and no section of another one.
-void read_scheme(const Section& root, Method& method) {
-  if (const auto section = root.optional_section({"element", "finite elements on the nodes of a box"});
-      section && method.scheme == "element")
-    method.element = ElementOptions::read(*section);
-  const bool by_newton = method.scheme == "element" && method.element.by_newton();
-  if (method.scheme == "element" && !by_newton && root.has("implicit"))
-    root.section("implicit")
-        .fail("", fmt::format("contradicts solve = \"{}\"", method.element.solve),
-              "it says how Newton's method goes", "use [element] solve = \"newton\", or leave it out");
-  for (const char* name : {"mixed", "implicit", "updated", "eulerian", "element"})
-    if (root.has(name) && method.scheme != name && !(by_newton && std::string_view(name) == "implicit"))
-      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
-                              fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
-  if (const auto section = root.optional_section({"mixed", "the mixed scheme, paper 003"})) {
-    method.mixed = MixedOptions::read(*section, method.mixed);
-    section->reject_unknown();
-  }
-  if (const auto section = root.optional_section(
-          {"implicit", "how equilibria are sought, or steps in time are made, by Newton's method"}))
-    method.implicit = ImplicitOptions::read(*section);
-  if (const auto section = root.optional_section({"updated", "the updated Lagrangian scheme, paper 002"})) {
-    method.updated = UpdatedOptions::read(*section, method.updated);
-    section->reject_unknown();
-  }
-  if (const auto section =
-          root.optional_section({"eulerian", "the scheme with Eulerian kernels, paper 001"})) {
-    method.eulerian = EulerianOptions::read(*section, method.eulerian);
-    section->reject_unknown();
-  }
-  if (method.cfl)
-    method.mixed.cfl = method.updated.cfl = method.eulerian.cfl = method.element.cfl = *method.cfl;
-  if (!has_own_body(method.scheme)) return;
-  if (by_newton && root.has("damping"))
-    root.section("damping").fail("", "contradicts solve = \"newton\"",
-                                 "Newton's method looks for equilibria, or keeps the energy of a motion",
-                                 "use [element] solve = \"explicit\", or leave it out");
-  for (const char* name : {"jst", "hourglass", "projection", "compatible"})
-    if (root.has(name))
-      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
-                              "it is a part of scheme = \"tlsph\"", "leave one of them out");
-}
-
 /// "uniform" (0) or "nearest:12".
 long read_support(const Section& section) {
   const std::string

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "lib/scene/readers.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 #include "lib/scene/walls_of_scene.hpp"
 
 namespace plumb {
@@ -38,13 +39,10 @@ void refuse_endless_output(const Section& root, const Scene& scene) {
 void refuse_budget_of_another(const Section& root, const Scene& scene) {
   if (!scene.output || !scene.output->budget) return;
   const Method& method = scene.method;
-  if (method.scheme == "implicit" || (method.scheme == "element" && method.element.by_newton()))
+  if (solved_by_newton(method))
     root.section("output").fail("budget", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                                 "an account is kept of explicit steps only",
                                 "leave it out, or use a scheme that steps explicitly");
-  if (method.scheme == "tlsph" && has_history(scene.material.model))
-    root.section("output").fail("budget", fmt::format("contradicts model = \"{}\"", scene.material.model),
-                                "it would take plastic work for that of the integrator", "leave it out");
 }
 
 /// A temperature of a law that has none, or two of one that has it.
@@ -75,10 +73,10 @@ void refuse_following_pressure(const Section& root, const Scene& scene) {
 void refuse_restless(const Section& root, const Scene& scene) {
   const Section section = root.section("relaxation");
   const Method& method = scene.method;
-  const bool by_newton = method.scheme == "element" && method.element.by_newton();
-  if (method.scheme == "implicit" || by_newton)
+  if (solved_by_newton(method))
     section.fail("",
-                 fmt::format("contradicts {}", by_newton ? "solve = \"newton\"" : "scheme = \"implicit\""),
+                 fmt::format("contradicts {}",
+                             method.scheme == "element" ? "solve = \"newton\"" : "scheme = \"implicit\""),
                  "it looks for equilibria by itself, without time",
                  "leave it out, or use a scheme that steps in time");
   if (method.scheme == "updated" && !method.updated.conservative())

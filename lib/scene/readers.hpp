@@ -22,6 +22,8 @@ void refuse_history(const Section& root, const MaterialChoice& material, const M
 void refuse_on_a_line(const Section& root, int dimension, const Method& method);
 /// Lists the sections that read_method reads: [method] and those of its parts.
 std::vector<std::string> method_sections();
+/// Reads the sections of schemes, and refuses those of other schemes than that of `method`. A part of read_method().
+void read_scheme(const Section& root, Method& method);
 /// Reads the scheme with its optional parts. What is not given is that of `paper`, or suits the body:
 /// compatible bonds have beta 1.2 unless a lattice fills a box. Paper 000 has [jst].
 Method read_method(const Section& root, const Body& body);

@@ -66,6 +66,10 @@ bool has_own_body(const std::string& scheme) {
   return scheme == "mixed" || scheme == "updated" || scheme == "eulerian" || scheme == "element";
 }
 
+bool solved_by_newton(const Method& method) {
+  return method.scheme == "implicit" || (method.scheme == "element" && method.element.by_newton());
+}
+
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
   const bool works = does_work(start.actions);

@@ -21,6 +21,9 @@ struct SchemeStart {
 /// Says that the scheme of that name works on a body of its own (all but "tlsph" do).
 bool has_own_body(const std::string& scheme);
 
+/// Says whether Newton's method goes from step to step, as [implicit] says: the scheme "implicit", and elements by choice.
+bool solved_by_newton(const Method& method);
+
 /// Makes the scheme that the scene names; its options are in the scene. Throws InputError.
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start);

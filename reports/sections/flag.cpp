@@ -28,7 +28,7 @@ const std::string particles = "verification/scenes/flag-swinging.toml",
                   elements = "verification/scenes/flag-elements.toml";
 
 const std::vector<std::string> implicit_steps{"element.solve=newton", "implicit.dynamics=midpoint",
-                                              "method.time_step=0.005"};
+                                              "implicit.time_step=0.005"};
 
 std::vector<std::string> with(const std::string& entry, std::vector<std::string> others) {
   others.insert(others.begin(), entry);

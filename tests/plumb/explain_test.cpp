@@ -105,6 +105,44 @@ TEST(Explain, SaysWhatItIsForWhenItEndsAndWhatItWrites) {
             std::string::npos);
 }
 
+/// Newton's method takes the steps of [implicit]; nothing of an integrator is told of it.
+TEST(Explain, SaysHowNewtonsMethodGoes) {
+  const std::string flag = "--set method.scheme=implicit --set body.spacing=0.005 ";
+  for (const auto& [scene, solved] : {std::pair<std::string, std::string>{"flag-swinging", flag},
+                                      {"flag-elements", "--set element.solve=newton "}}) {
+    const json moving = explained(
+        scene, solved + "--set implicit.dynamics=midpoint --set method.time_step=0.005 --set output.every=1");
+    EXPECT_EQ(about(moving, "steps")["text"],
+              "implicit midpoint rule, steps of 0.005 s, residual 1e-10 of the forces");
+    EXPECT_EQ(moving["dt"], 0.005);
+    EXPECT_EQ(moving["steps"], 2000);
+    EXPECT_TRUE(moving["evaluations_per_step"].is_null());
+    EXPECT_GT(moving["estimated_wall_s"], 0);
+    EXPECT_EQ(moving["why_no_estimate"], "");
+    EXPECT_EQ(moving.dump().find("evaluation a step"), std::string::npos);
+  }
+  const json resting = explained("flag-swinging", flag + "--set implicit.steps=20 --set output.every=1");
+  EXPECT_EQ(
+      about(resting, "steps")["text"],
+      "equilibrium by Newton's method, 20 steps (halved and grown as needed), residual 1e-10 of the forces");
+  EXPECT_EQ(resting["steps"], 20);
+  const json large = explained("flag-swinging", flag + "--set body.spacing=0.0005");
+  EXPECT_TRUE(large["estimated_wall_s"].is_null());
+  EXPECT_EQ(large["why_no_estimate"],
+            "no step was tried: " + std::to_string(2 * large["particles"].get<long>()) + " unknowns");
+}
+
+TEST(Explain, GivesLoadsAndSupportsInTheirUnits) {
+  EXPECT_EQ(about(explained("flag-swinging", "--set body.spacing=0.005"), "loads")["text"],
+            "gravity (0, -2) m/s^2");
+  const std::string plate =
+      "--set 'boundary.0.kind=displacement' --set 'boundary.0.displacement=[\"0\", \"1e-3*t\"]' ";
+  EXPECT_NE(about(explained("flag-swinging", "--set body.spacing=0.005 " + plate), "supports")["text"]
+                .get<std::string>()
+                .find("displaced by (0, 1e-3*t) m ("),
+            std::string::npos);
+}
+
 TEST(Explain, SaysWhyTheStepIsWhatItIs) {
   const auto reason = [](const std::string& changes) {
     return explained("free_plate", changes)["dt_reason"]["text"].get<std::string>();

@@ -12,7 +12,7 @@ class Section;
 /// Chooses how equilibria are sought on the way from no load to the load at the end time, or steps in time
 /// are made. It is the section [implicit] of a scene; without the section these are the defaults.
 struct ImplicitOptions {
-  static constexpr std::string_view section = "implicit", subject = "equilibrium",
+  static constexpr std::string_view section = "implicit", subject = "steps",
                                     theory = "THEORY (15.1) to (15.6), (15.12), (15.13)";
 
   long steps = 4;                   ///< load steps to the end time, if none has to be halved

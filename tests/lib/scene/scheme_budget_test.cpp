@@ -1,8 +1,9 @@
-// The conservation budget of the schemes mixed, updated, eulerian and element against mechanics.
+// The conservation budget of the schemes mixed, updated, eulerian and element against mechanics, and of total Lagrangian bodies that yield.
 #include <cmath>
 #include <sstream>
 
 #include "tests/support/outside.hpp"
+#include "tests/support/plastic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb::testing {
@@ -169,6 +170,42 @@ TEST(SchemeBudget, HasAPartForWalls) {
                 1e-12 * mass)
         << scheme;
   }
+}
+
+/// A block of copper that shortens along x until most of its kinetic energy is plastic work.
+std::string yielding(int d, double step) {
+  const std::string all = fmt::format("{}", fmt::join(std::vector<double>(d, 0.004), ", "));
+  return fmt::format(
+      "[scene]\ndimension = {}\nend_time = 4e-6\n[body]\nsize = [{}]\nspacing = 0.001\nlayout = \"node\"\n{}"
+      "[method]\ntime_step = {}\nintegrator = \"verlet\"\n[initial]\nvelocity = {}\n",
+      d, all, copper, step, along_x(d, "200*cos(pi*X/0.004)"));
+}
+
+/// The plastic work is a part of the energy, so that a body that yields has a budget that closes. What is left to the integrator
+/// falls with the step: Verlet's share by 4, and by 2 what return mapping at the end of a step books too much. Work that is
+/// forgotten, or counted twice, stays.
+template <int d>
+void closes_while_it_yields() {
+  double left[2] = {};
+  for (const int n : {0, 1}) {
+    const auto kept = budget_of<d>(yielding(d, n == 0 ? 2e-8 : 1e-8));
+    const double before = kept.energy_before.kinetic;
+    for (const double gap : kept.gaps) EXPECT_LT(gap, 1e-13) << d;
+    EXPECT_GT(kept.energy_after.elsewhere(), 0.3 * before) << d;
+    EXPECT_NEAR(kept.of("internal force: energy") + kept.of("integrator: energy"),
+                kept.energy_after.total() - kept.energy_before.total(), 1e-11 * before)
+        << d;
+    EXPECT_NEAR(kept.of("internal force: energy"), 0, 1e-12 * before) << d;
+    EXPECT_NEAR(kept.of("internal force: linear momentum x"), 0, 1e-12 * 8930 * 200) << d;
+    left[n] = kept.of("integrator: energy");
+    EXPECT_LT(std::abs(left[n]), 0.05 * before) << d;
+  }
+  EXPECT_GT(left[0] / left[1], 1.9) << d;
+}
+TEST(SchemeBudget, ClosesInTotalLagrangianBodiesThatYield) {
+  closes_while_it_yields<1>();
+  closes_while_it_yields<2>();
+  closes_while_it_yields<3>();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "lib/output/terminal.hpp"
 #include "lib/scene/limits.hpp"
 #include "lib/scene/scheme_simulation.hpp"
+#include "lib/scene/simulation.hpp"
 #include "verification/plumb/commands.hpp"
 #include "verification/plumb/data_folder.hpp"
 #include "verification/plumb/explain/account.hpp"
@@ -50,32 +51,81 @@ long steps_to_end(const StepControl& control, double dt) {
   return static_cast<long>(std::min(by_time, by_count));
 }
 
+/// Unknowns up to which one step of Newton's method takes some seconds.
+constexpr Index most_tried = 30000;
+
+/// What a run steps through, by its first step: length, number, evaluations and the time that they will take.
+void tell_steps(const Scene& scene, double dt, const StepControl& control, std::optional<int> evaluations,
+                Explanation& made) {
+  made.dt = dt;
+  made.steps = steps_to_end(control, dt);
+  made.evaluations_per_step = evaluations;
+  if (solved_by_newton(scene.method)) made.dt_reason = {"time step", "as [implicit] asks for", ""};
+}
+
+void tell_time(std::optional<double> seconds_per_step, Explanation& made) {
+  if (seconds_per_step)
+    made.estimated_wall_s = *seconds_per_step * static_cast<double>(made.steps);
+  else
+    made.why_no_estimate = "the first steps fail: the run would end unstable at once";
+}
+
+/// Tries the first step of a scheme, which is thrown away: one of Newton's method only where that is soon done.
 template <int d>
-Explanation explanation(const Scene& scene, const std::string& shows, TlsphBody<d>& simulation) {
-  const Index particles = simulation.solid.cloud.size();
-  const auto count = static_cast<double>(particles);
-  const Parts parts = parts_of(scene, simulation);
+void try_a_step(const Scene& scene, Simulation<d>& simulation, Explanation& made) {
+  const bool newton = solved_by_newton(scene.method);
+  tell_steps(scene, simulation.steps.allowed(), simulation.control,
+             newton ? std::nullopt : std::optional(simulation.evaluations_per_step), made);
+  if (const Index unknowns = d * made.particles; newton && unknowns > most_tried) {
+    made.why_no_estimate = fmt::format("no step was tried: {} unknowns", unknowns);
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const bool sound = !simulation.steps.advance(made.dt);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  tell_time(sound ? std::optional(seconds.count()) : std::nullopt, made);
+}
+
+/// What is said alike of every scheme.
+template <int d>
+Explanation begun(const Scene& scene, const std::string& shows, const Counts& counts,
+                  std::vector<ArrayEntry> arrays) {
+  const auto count = static_cast<double>(counts.particles);
   Explanation made{};
   made.scene = scene.name;
   made.shows = shows;
   made.dimension = d;
   made.scheme = scene.method.scheme;
-  made.particles = particles;
-  made.neighbours = {static_cast<double>(simulation.solid.bonds.pairs) / count,
-                     simulation.solid.bonds.most_neighbours};
+  made.particles = counts.particles;
+  made.neighbours = {static_cast<double>(counts.pairs) / count, counts.most_neighbours};
+  const std::size_t bytes = total_bytes(arrays);
+  made.arrays = std::move(arrays);
+  made.memory = {bytes, static_cast<double>(bytes) / count, peak_resident_bytes()};
+  return made;
+}
+
+template <int d>
+Explanation explanation(const Scene& scene, const std::string& shows, TlsphBody<d>& simulation) {
+  const BondTable<d>& bonds = simulation.solid.bonds;
+  const Parts parts = parts_of(scene, simulation);
+  Explanation made =
+      begun<d>(scene, shows, {simulation.solid.cloud.size(), bonds.pairs, bonds.most_neighbours, {}},
+               arrays_of(simulation));
   made.solves = account_of(scene, simulation);
   made.built = parts.built;
   made.left_out = parts.left_out;
-  made.arrays = arrays_of(simulation);
-  const std::size_t bytes = total_bytes(made.arrays);
-  made.dt = time_step(simulation.solid, simulation.state, simulation.control);
-  made.dt_reason = step_reason(scene, simulation, made.dt);
-  made.steps = steps_to_end(simulation.control, made.dt);
-  made.evaluations_per_step = simulation.integrator.evaluations_per_step;
-  if (const auto seconds = seconds_per_step(simulation, made.dt, made.steps))
-    made.estimated_wall_s = *seconds * static_cast<double>(made.steps);
-  made.memory = {bytes, static_cast<double>(bytes) / count, peak_resident_bytes()};
-  made.costs = measure_costs(scene);
+  if (solved_by_newton(scene.method)) {
+    auto implicit = make_simulation<d>(scene).simulation;
+    try_a_step(scene, implicit, made);
+    made.costs.particles = made.particles;  // what parts cost was measured of explicit steps only
+  } else {
+    const double dt = time_step(simulation.solid, simulation.state, simulation.control);
+    tell_steps(scene, dt, simulation.control, simulation.integrator.evaluations_per_step, made);
+    made.dt_reason = step_reason(scene, simulation, dt);
+    tell_time(seconds_per_step(simulation, dt, made.steps), made);
+    made.costs = measure_costs(scene);
+  }
+  made.memory.peak_rss = peak_resident_bytes();
   made.warnings = simulation.warnings;
   for (const auto& limit : limits_of(scene)) made.warnings.push_back(limit);
   return made;
@@ -84,30 +134,14 @@ Explanation explanation(const Scene& scene, const std::string& shows, TlsphBody<
 /// The same of a scheme with a body of its own, by what the scheme says of itself.
 template <int d>
 Explanation explanation(const Scene& scene, const std::string& shows, Simulation<d>& simulation) {
-  const Counts counts = simulation.counts();
-  const auto count = static_cast<double>(counts.particles);
-  Explanation made{};
-  made.scene = scene.name;
-  made.shows = shows;
-  made.dimension = d;
-  made.scheme = simulation.scheme;
-  made.particles = counts.particles;
-  made.neighbours = {static_cast<double>(counts.pairs) / count, counts.most_neighbours};
+  Explanation made = begun<d>(scene, shows, simulation.counts(), simulation.arrays());
   made.solves = simulation.account();
   made.built = {"scheme " + simulation.scheme};
-  made.arrays = simulation.arrays();
-  const std::size_t bytes = total_bytes(made.arrays);
-  made.dt = simulation.steps.allowed();
   made.dt_reason = {"time step",
                     simulation.control.fixed_step ? "fixed by the scene" : "what the scheme allows", ""};
-  made.steps = steps_to_end(simulation.control, made.dt);
-  made.evaluations_per_step = simulation.evaluations_per_step;
-  const auto start = std::chrono::steady_clock::now();
-  const bool sound = !simulation.steps.advance(made.dt);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (sound) made.estimated_wall_s = seconds.count() * static_cast<double>(made.steps);
-  made.memory = {bytes, static_cast<double>(bytes) / count, peak_resident_bytes()};
-  made.costs.particles = counts.particles;
+  try_a_step(scene, simulation, made);
+  made.memory.peak_rss = peak_resident_bytes();
+  made.costs.particles = made.particles;
   made.warnings = simulation.warnings;
   return made;
 }

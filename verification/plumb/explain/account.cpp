@@ -6,6 +6,8 @@
 
 #include "lib/core/error.hpp"
 #include "lib/kernel/kernel.hpp"
+#include "lib/scene/go_implicitly.hpp"
+#include "lib/scene/scheme_simulation.hpp"
 #include "verification/plumb/parts.hpp"
 
 namespace plumb::app {
@@ -35,10 +37,11 @@ std::string list(const auto& numbers, std::string_view between) {
   return text;
 }
 
-std::string list(const std::vector<Expression>& formulas) {
+/// "(3, -9.81) m/s^2": formulas of numbers in one unit.
+std::string list(const std::vector<Expression>& formulas, std::string_view unit) {
   std::string text;
   for (const auto& formula : formulas) text += (text.empty() ? "" : ", ") + formula.text();
-  return "(" + text + ") m/s";
+  return fmt::format("({}) {}", text, unit);
 }
 
 std::string_view name_of(Layout layout) {
@@ -99,9 +102,9 @@ Statement gradient_of(const Scene& scene, const CompatibleReport* compatible) {
 
 Statement loads_of(const LoadOptions& load) {
   std::string text;
-  if (!load.gravity.empty()) text = "gravity " + list(load.gravity) + " m/s^2";
+  if (!load.gravity.empty()) text = "gravity " + list(load.gravity, "m/s^2");
   if (!load.body_force.empty())
-    text += (text.empty() ? "" : ", ") + ("force per volume " + list(load.body_force) + " N/m^3");
+    text += (text.empty() ? "" : ", ") + ("force per volume " + list(load.body_force, "N/m^3"));
   if (load.ramp) text += fmt::format(", ramped up in {:g} s", *load.ramp);
   return {"loads", text, "THEORY (5.7)"};
 }
@@ -115,11 +118,11 @@ std::string in_words(const Boundary& boundary) {
     case BoundaryKind::roller:
       return "on rollers";
     case BoundaryKind::velocity:
-      return "moved with " + list(boundary.velocity) + ramp;
+      return "moved with " + list(boundary.velocity, "m/s") + ramp;
     case BoundaryKind::displacement:
-      return "displaced by " + list(boundary.displacement) + ramp;
+      return "displaced by " + list(boundary.displacement, "m") + ramp;
     case BoundaryKind::traction:
-      return "under the traction " + list(boundary.traction) + " Pa" + ramp;
+      return "under the traction " + list(boundary.traction, "Pa") + ramp;
     case BoundaryKind::pressure:
       return "under the pressure " + boundary.pressure->text() + " Pa" + ramp;
   }
@@ -145,7 +148,7 @@ Statement start_of(const Scene& scene) {
   if (scene.initial->spin)
     return {"start",
             fmt::format("turning with ({}) rad/s about the centre", list(*scene.initial->spin, ", ")), ""};
-  return {"start", "with velocity " + list(scene.initial->velocity), ""};
+  return {"start", "with velocity " + list(scene.initial->velocity, "m/s"), ""};
 }
 
 /// "t = 0.1 s, or after 100 steps".
@@ -185,6 +188,19 @@ std::string own_parameters(const MaterialChoice& material) {
   return material.plane == Plane::stress ? text + ", plane stress" : text;
 }
 
+/// The integrator and the loops that it runs.
+template <int d>
+void add_explicit_steps(const TlsphBody<d>& simulation, std::vector<Statement>& all) {
+  all.push_back(about("integrator", std::string(simulation.integrator.name),
+                      fmt::format("{} evaluation{} a step", simulation.integrator.evaluations_per_step,
+                                  simulation.integrator.evaluations_per_step > 1 ? "s" : "")));
+  all.push_back({"loops",
+                 simulation.solid.cloud.line > 0
+                     ? "those of lattices: equal neighbourhoods share their constants"
+                     : "those of irregular particles: every bond has its own constants",
+                 simulation.solid.cloud.line > 0 ? "THEORY (10.1), (10.4)" : "THEORY (10.1)"});
+}
+
 }  // namespace
 
 template <int d>
@@ -210,14 +226,10 @@ std::vector<Statement> account_of(const Scene& scene, const TlsphBody<d>& simula
     if (part) all.push_back({std::string(Part::subject), part->in_words(), std::string(Part::theory)});
   });
   if (scene.load) all.push_back(loads_of(*scene.load));
-  all.push_back(about("integrator", std::string(simulation.integrator.name),
-                      fmt::format("{} evaluation{} a step", simulation.integrator.evaluations_per_step,
-                                  simulation.integrator.evaluations_per_step > 1 ? "s" : "")));
-  all.push_back({"loops",
-                 simulation.solid.cloud.line > 0
-                     ? "those of lattices: equal neighbourhoods share their constants"
-                     : "those of irregular particles: every bond has its own constants",
-                 simulation.solid.cloud.line > 0 ? "THEORY (10.1), (10.4)" : "THEORY (10.1)"});
+  if (solved_by_newton(scene.method))
+    all.push_back(said_of(scene.method.implicit));
+  else
+    add_explicit_steps(simulation, all);
   if (!scene.boundaries.empty()) all.push_back(held(scene, simulation));
   all.push_back(start_of(scene));
   all.push_back(end_of(scene));

@@ -48,8 +48,9 @@ struct Explanation {
   double dt;  ///< first time step [s]
   Statement dt_reason;
   long steps;
-  int evaluations_per_step;
-  std::optional<double> estimated_wall_s;  ///< nothing if the first steps fail
+  std::optional<int> evaluations_per_step;  ///< nothing where Newton's method makes as many as it needs
+  std::optional<double> estimated_wall_s;   ///< nothing if no step was tried, or the first steps fail
+  std::string why_no_estimate;              ///< empty if there is one
   Costs costs;
   std::vector<std::string> warnings;
 
@@ -71,6 +72,7 @@ struct Explanation {
     visit("steps", self.steps);
     visit("evaluations_per_step", self.evaluations_per_step);
     visit("estimated_wall_s", self.estimated_wall_s);
+    visit("why_no_estimate", self.why_no_estimate);
     visit("costs", self.costs);
     visit("warnings", self.warnings);
   }

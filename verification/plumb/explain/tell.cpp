@@ -61,6 +61,13 @@ void tell_costs(std::ostream& out, const Costs& costs) {
       << '\n';
 }
 
+/// "with 3 evaluations of the force each"
+std::string each_step(const Explanation& of) {
+  if (!of.evaluations_per_step) return "by Newton's method";
+  return fmt::format("with {} evaluation{} of the force each", *of.evaluations_per_step,
+                     *of.evaluations_per_step == 1 ? "" : "s");
+}
+
 void tell_arrays(std::ostream& out, const Explanation& explanation) {
   out << "\nMemory:\n";
   for (const ArrayEntry& array : explanation.arrays)
@@ -88,13 +95,12 @@ void tell(std::ostream& out, const Explanation& of) {
   tell_arrays(out, of);
   out << '\n'
       << from_column(0, fmt::format("Time step {:.6g} s: {}", of.dt, cited(of.dt_reason)))
-      << fmt::format("\n{} steps with {} evaluation{} of the force each\n", of.steps, of.evaluations_per_step,
-                     of.evaluations_per_step == 1 ? "" : "s");
-  out << (of.estimated_wall_s ? from_column(0, fmt::format("It will take {} and the time of its output, "
-                                                           "by a few steps measured on this machine",
-                                                           expected(*of.estimated_wall_s))) +
-                                    "\n"
-                              : std::string("the first steps fail: the run would end unstable at once\n"));
+      << fmt::format("\n{} step{} {}\n", of.steps, of.steps == 1 ? "" : "s", each_step(of));
+  out << from_column(0, of.estimated_wall_s ? fmt::format("It will take {} and the time of its output, by a "
+                                                          "few steps measured on this machine",
+                                                          expected(*of.estimated_wall_s))
+                                            : of.why_no_estimate)
+      << '\n';
   for (const auto& warning : of.warnings) out << "\nMind: " << from_column(6, warning) << '\n';
 }
 

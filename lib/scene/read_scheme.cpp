@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include "lib/scene/readers.hpp"
+#include "lib/scene/scheme_simulation.hpp"
+
+namespace plumb {
+namespace {
+
+/// The length of steps may stand in [method], where that of explicit steps is, or in [implicit]. A motion has no number of steps that
+/// would do for every scene.
+void take_step(const Section& root, Method& method) {
+  const auto section = root.optional_section({"implicit", "how Newton's method goes"});
+  const bool given = section && (section->has("steps") || section->has("time_step"));
+  if (method.time_step && given)
+    root.section("method").fail("time_step", "contradicts the steps of [implicit]",
+                                "both say how long a step is", "leave one of them out");
+  if (method.time_step) method.implicit.time_step = method.time_step;
+  if (method.implicit.moves() && !given && !method.time_step)
+    section->fail("dynamics", "steps of unknown length", "nothing limits an implicit step but its error",
+                  "add time_step = \"1 ms\", some twentieth of the shortest period that matters");
+}
+
+}  // namespace
+
+void read_scheme(const Section& root, Method& method) {
+  if (const auto section = root.optional_section({"element", "finite elements on the nodes of a box"});
+      section && method.scheme == "element")
+    method.element = ElementOptions::read(*section);
+  const bool by_newton = method.scheme == "element" && method.element.by_newton();
+  if (method.scheme == "element" && !by_newton && root.has("implicit"))
+    root.section("implicit")
+        .fail("", fmt::format("contradicts solve = \"{}\"", method.element.solve),
+              "it says how Newton's method goes", "use [element] solve = \"newton\", or leave it out");
+  for (const char* name : {"mixed", "implicit", "updated", "eulerian", "element"})
+    if (root.has(name) && method.scheme != name && !(by_newton && std::string_view(name) == "implicit"))
+      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                              fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
+  if (const auto section = root.optional_section({"mixed", "the mixed scheme, paper 003"})) {
+    method.mixed = MixedOptions::read(*section, method.mixed);
+    section->reject_unknown();
+  }
+  if (const auto section = root.optional_section(
+          {"implicit", "how equilibria are sought, or steps in time are made, by Newton's method"}))
+    method.implicit = ImplicitOptions::read(*section);
+  if (solved_by_newton(method)) take_step(root, method);
+  if (const auto section = root.optional_section({"updated", "the updated Lagrangian scheme, paper 002"})) {
+    method.updated = UpdatedOptions::read(*section, method.updated);
+    section->reject_unknown();
+  }
+  if (const auto section =
+          root.optional_section({"eulerian", "the scheme with Eulerian kernels, paper 001"})) {
+    method.eulerian = EulerianOptions::read(*section, method.eulerian);
+    section->reject_unknown();
+  }
+  if (method.cfl)
+    method.mixed.cfl = method.updated.cfl = method.eulerian.cfl = method.element.cfl = *method.cfl;
+  if (!has_own_body(method.scheme)) return;
+  if (by_newton && root.has("damping"))
+    root.section("damping").fail("", "contradicts solve = \"newton\"",
+                                 "Newton's method looks for equilibria, or keeps the energy of a motion",
+                                 "use [element] solve = \"explicit\", or leave it out");
+  for (const char* name : {"jst", "hourglass", "projection", "compatible"})
+    if (root.has(name))
+      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                              "it is a part of scheme = \"tlsph\"", "leave one of them out");
+}
+
+}  // namespace plumb
