@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -21,11 +22,13 @@ struct FlagRun {
   std::vector<std::string> set;
   bool judged = false;  ///< its last swing is, by 1 %
   bool published =
-      false;  ///< it steps as the authors do: extremes of the whole run are compared with theirs by 1 %
+      false;  ///< it steps as the authors do: the height's extremes of the run are compared with theirs by 1 %
+  bool last = false;  ///< all that they print is asked of its last swing by 1 %
 };
 
 const std::string particles = "verification/scenes/flag-swinging.toml",
-                  elements = "verification/scenes/flag-elements.toml";
+                  elements = "verification/scenes/flag-elements.toml",
+                  in_steps = "verification/scenes/flag-in-steps.toml";
 
 const std::vector<std::string> implicit_steps{"element.solve=newton", "implicit.dynamics=midpoint",
                                               "implicit.time_step=0.005"};
@@ -42,9 +45,23 @@ const std::vector<FlagRun> quick{
      {"body.spacing=0.0025", "boundary.0.where=(X + 0.05)^2 + (Y - 0.01)^2 < 0.05125^2"}},
     {"flag-elements-4", "finite elements of second order, 4 across, end held straight", elements, {}},
     {"flag-elements-4-steps", "the same by the implicit midpoint rule, in steps of 5 ms as the authors'",
-     elements, implicit_steps, false, true}};
+     elements, implicit_steps, false, true},
+    {"flag-8-steps",
+     "particles in steps of 5 ms, 8 cells across, end held straight",
+     in_steps,
+     {"body.spacing=0.0025"},
+     false,
+     true,
+     true}};
 const std::vector<FlagRun> slow{
     {"flag-20", "particles, 20 cells across", particles, {}, true},
+    {"flag-20-steps",
+     "particles in steps of 5 ms, 20 cells across, end held straight",
+     in_steps,
+     {},
+     false,
+     true,
+     true},
     {"flag-elements-8",
      "finite elements of second order, 8 across, end held straight",
      elements,
@@ -64,23 +81,76 @@ struct Number {
   Swing (*of)(const std::vector<double>& time, const std::vector<double>& value);
   double Swing::*member;
   double factor, published;
-  bool FlagRun::*judges =
-      nullptr;  ///< the runs for which it is a check of the report; in the others it is shown
+  std::vector<bool FlagRun::*> judges =
+      {};  ///< the runs for which it is a check of the report; in the others it is shown
 };
 
 const std::string height = "tip displacement y [m]", along = "tip displacement x [m]";
 
 const std::vector<Number> numbers{
-    {"height, mean of the last swing", height, "mm", last_swing, &Swing::mean, 1e3, -63.607},
-    {"height, amplitude of the last swing", height, "mm", last_swing, &Swing::amplitude, 1e3, 65.160,
-     &FlagRun::judged},
-    {"height, mean of the run", height, "mm", widest_swing, &Swing::mean, 1e3, -63.607, &FlagRun::published},
-    {"height, amplitude of the run", height, "mm", widest_swing, &Swing::amplitude, 1e3, 65.160,
-     &FlagRun::published},
-    {"height, frequency", height, "Hz", last_swing, &Swing::frequency, 1, 1.0995, &FlagRun::judged},
+    {"height, mean of the last swing",
+     height,
+     "mm",
+     last_swing,
+     &Swing::mean,
+     1e3,
+     -63.607,
+     {&FlagRun::last}},
+    {"height, amplitude of the last swing",
+     height,
+     "mm",
+     last_swing,
+     &Swing::amplitude,
+     1e3,
+     65.160,
+     {&FlagRun::judged, &FlagRun::last}},
+    {"height, frequency",
+     height,
+     "Hz",
+     last_swing,
+     &Swing::frequency,
+     1,
+     1.0995,
+     {&FlagRun::judged, &FlagRun::last}},
+    {"along the bar, mean of the last swing",
+     along,
+     "mm",
+     last_swing,
+     &Swing::mean,
+     1e3,
+     -14.305,
+     {&FlagRun::last}},
+    {"along the bar, amplitude of the last swing",
+     along,
+     "mm",
+     last_swing,
+     &Swing::amplitude,
+     1e3,
+     14.305,
+     {&FlagRun::last}},
+    {"height, mean of the run",
+     height,
+     "mm",
+     widest_swing,
+     &Swing::mean,
+     1e3,
+     -63.607,
+     {&FlagRun::published}},
+    {"height, amplitude of the run",
+     height,
+     "mm",
+     widest_swing,
+     &Swing::amplitude,
+     1e3,
+     65.160,
+     {&FlagRun::published}},
     {"along the bar, mean of the run", along, "mm", widest_swing, &Swing::mean, 1e3, -14.305},
     {"along the bar, amplitude of the run", along, "mm", widest_swing, &Swing::amplitude, 1e3, 14.305},
 };
+
+bool is_judged(const FlagRun& run, const Number& of) {
+  return std::ranges::any_of(of.judges, [&](bool FlagRun::*one) { return run.*one; });
+}
 
 const std::vector<double>& column(const std::map<std::string, std::vector<double>>& table,
                                   const std::string& name) {
@@ -127,7 +197,7 @@ Section write(const Results& results, const std::vector<FlagRun>& all) {
       table.rows.push_back({run.name, of.name, of.unit, ours, of.published, 100 * off,
                             number(result, "particles"), number(result.at("timing"), "cpu_s")});
       table.row_jobs.push_back(run.id);
-      if (!of.judges || !(run.*of.judges)) continue;
+      if (!is_judged(run, of)) continue;
       Check check = as(CheckKind::reproduced, number_check("swinging flag, " + run.name + ", " + of.name,
                                                            ours, of.published, 0.01, "one per cent"));
       check.job = run.id;
@@ -139,10 +209,10 @@ Section write(const Results& results, const std::vector<FlagRun>& all) {
   s.notes = {
       "S. Turek and J. Hron, Proposal for numerical benchmarking of fluid-structure interaction, Lect. Notes Comput. "
       "Sci. Eng. 53, 371 (2006), CSM3. Mean and amplitude are half sum and half difference of the highest and the "
-      "lowest value, as they have them.",
-      "They step by a rule of second order, in 5 ms. Elements of ours that do so too have their means and amplitudes, as extremes of ten "
-      "seconds, where no error of the space is left; in short steps the same elements have others. So what is published has the error of that "
-      "step: it moves energy between the modes of the bar, and the mean of a swing drifts by a millimetre in ten seconds.",
+      "lowest value of the last period, as they have them; those of the whole run stand beside them.",
+      "They step by a rule of second order, in 5 ms. Particles and elements of ours that do so too have their numbers, of the last swing or of the "
+      "run; in short steps the same bodies have others. So what is published has the error of that step: it moves energy between the modes of the bar, and the mean "
+      "of a swing drifts by a millimetre in ten seconds.",
       "Of the runs in short steps, 1 % is asked of the height's amplitude and frequency only."};
   return s;
 }

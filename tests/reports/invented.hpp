@@ -381,7 +381,8 @@ inline Json Invention::run(const Words& w) {
   std::vector<std::string> columns{"time [s]"};
   for (const char* part : {"kinetic", "strain", "total"}) columns.push_back(part + (" energy" + per));
   columns.insert(columns.end(), {"angular momentum z [kg m/s]", "tip displacement y [m]", "hourglass share"});
-  if (w.at("file").starts_with("flag-swinging") || w.at("file").starts_with("flag-elements"))
+  if (const auto file = w.at("file"); file.starts_with("flag-swinging") ||
+                                      file.starts_with("flag-elements") || file.starts_with("flag-in-steps"))
     write_swing();
   else
     write_table("series.csv", columns);
