@@ -55,6 +55,14 @@ function(plumbline_target name)
   endif()
 endfunction()
 
+# plumbline_compile_fast(NAME): for targets whose code runs once: readers, commands, pages. No loops over particles are in there, and -O1
+# takes two thirds of the time of -O3.
+function(plumbline_compile_fast name)
+  if(NOT PLUMBLINE_SANITIZE)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
 # plumbline_type_name(FILE VARIABLE): "some_name.hpp" holds SomeName.
 function(plumbline_type_name file variable)
   string(REPLACE ".hpp" "" stem ${file})
@@ -111,7 +119,7 @@ endforeach()
 endfunction()
 
 # plumbline_precompile(TARGET HEADER..): reads these headers of other projects once for all sources of the target: half of the
-# time of a test goes into them. Not for the libraries: there each source shows that its own header stands alone.
+# time of a test goes into them. Not for the libraries below: there each source shows that its own header stands alone.
 function(plumbline_precompile name)
   target_precompile_headers(${name} PRIVATE ${ARGN})
   plumbline_precompiled_with_ccache(${name})

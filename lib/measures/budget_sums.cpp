@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>  // cross
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +40,21 @@ BudgetPart& BudgetSums::part(const std::string& name) {
   return named(parts, name);
 }
 
+void push(const Vec<3>& impulse, const Vec<3>& x, BudgetPart& part) {
+  part.linear += impulse;
+  part.angular += x.cross(impulse);
+}
+
+void StateChange::add(double m, const Vec<3>& x0, const Vec<3>& x1, const Vec<3>& v0, const Vec<3>& v1,
+                      const Vec<3>& v) {
+  change.linear += m * (v1 - v0);
+  change.angular += m * (x1.cross(v1) - x0.cross(v0));
+  change.energy += 0.5 * m * (v1.squaredNorm() - v0.squaredNorm());
+  scale.linear[0] += m * v.norm();
+  scale.angular[0] += m * (0.5 * (x0 + x1)).norm() * v.norm();
+  scale.energy += 0.5 * m * v.squaredNorm();
+}
+
 void add_step(const BudgetSums& step, BudgetSums& total) {
   for (std::size_t k = 0; k < step.parts.size(); ++k) add(step.parts[k], total.parts[k]);
   total.linear_gap = std::max(total.linear_gap, step.linear_gap);
@@ -52,11 +68,10 @@ BudgetPart sum_of(const std::vector<BudgetPart>& parts) {
   return sum;
 }
 
-void set_gaps(const BudgetPart& explained, const BudgetPart& change, const BudgetPart& scale,
-              BudgetSums& step) {
-  step.linear_gap = relative((explained.linear - change.linear).norm(), scale.linear[0]);
-  step.angular_gap = relative((explained.angular - change.angular).norm(), scale.angular[0]);
-  step.energy_gap = relative(std::abs(explained.energy - change.energy), scale.energy);
+void set_gaps(const BudgetPart& explained, const StateChange& of, BudgetSums& step) {
+  step.linear_gap = relative((explained.linear - of.change.linear).norm(), of.scale.linear[0]);
+  step.angular_gap = relative((explained.angular - of.change.angular).norm(), of.scale.angular[0]);
+  step.energy_gap = relative(std::abs(explained.energy - of.change.energy), of.scale.energy);
 }
 
 template <int d>

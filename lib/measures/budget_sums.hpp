@@ -28,15 +28,24 @@ struct BudgetSums {
   BudgetPart& part(const std::string& name);
 };
 
+/// Adds an impulse [kg m/s] at x [m] to the momenta of a part.
+void push(const Vec<3>& impulse, const Vec<3>& x, BudgetPart& part);
+
+/// Sums over particles what a step changed, and what that is compared with: sum m |v|, sum m |x| |v|, kinetic energy.
+struct StateChange {
+  BudgetPart change, scale;
+  /// Adds a particle of mass m [kg] that went from x0 to x1 [m] with v [m/s], its velocity from v0 to v1.
+  void add(double m, const Vec<3>& x0, const Vec<3>& x1, const Vec<3>& v0, const Vec<3>& v1, const Vec<3>& v);
+};
+
 /// Adds what the parts of a step did to those of the same places in `total`, and keeps the largest gaps.
 void add_step(const BudgetSums& step, BudgetSums& total);
 
 /// The parts of a step together.
 BudgetPart sum_of(const std::vector<BudgetPart>& parts);
 
-/// Writes the gaps of a step: what `explained` lacks of `change`, relative to `scale` (linear[0], angular[0], energy).
-void set_gaps(const BudgetPart& explained, const BudgetPart& change, const BudgetPart& scale,
-              BudgetSums& step);
+/// Writes the gaps of a step: what `explained` lacks of the change, relative to its scale.
+void set_gaps(const BudgetPart& explained, const StateChange& of, BudgetSums& step);
 
 /// Names the columns of a budget file: step and time, the sums of every part, the gaps of the step. In 2D linear momentum
 /// has x and y, angular momentum z only; in 1D there is x and no angular momentum.

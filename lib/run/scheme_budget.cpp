@@ -26,11 +26,6 @@ Vec<3> at(const Field& field, Index slot) {
   return field.components() > 0 ? in_space<d>(vector_at<d>(field, slot)) : Vec<3>(Vec<3>::Zero());
 }
 
-void push(const Vec<3>& impulse, const Vec<3>& x, BudgetPart& part) {
-  part.linear += impulse;
-  part.angular += x.cross(impulse);
-}
-
 }  // namespace
 
 template <int d>
@@ -46,7 +41,7 @@ SchemeBudget<d>::SchemeBudget(const std::filesystem::path& file, const OutsideFo
 
 template <int d>
 void SchemeBudget<d>::add_impulses(const OutsideForces<d>& outside, const Standing<d>& now,
-                                   BudgetPart& change, BudgetPart& scale) {
+                                   StateChange& state) {
   const StepChanges& by = outside.changes();
   BudgetPart &own = step_.part("internal force"), &integrator = step_.part("integrator");
   for (std::size_t p = 0; p < places_.size(); ++p) {
@@ -65,12 +60,7 @@ void SchemeBudget<d>::add_impulses(const OutsideForces<d>& outside, const Standi
       push(m * (v1 - to), x1, step_.part("damping"));
     }
     integrator.angular += m * (x1 - x0).cross(v);
-    change.linear += m * (v1 - v0);
-    change.angular += m * (x1.cross(v1) - x0.cross(v0));
-    change.energy += 0.5 * m * (v1.squaredNorm() - v0.squaredNorm());
-    scale.linear[0] += m * v.norm();
-    scale.angular[0] += m * x.norm() * v.norm();
-    scale.energy += 0.5 * m * v.squaredNorm();
+    state.add(m, x0, x1, v0, v1, v);
   }
 }
 
@@ -95,15 +85,15 @@ void SchemeBudget<d>::add_supports(const OutsideForces<d>& outside, const Standi
 template <int d>
 void SchemeBudget<d>::close_step(const OutsideForces<d>& outside, Standing<d> now) {
   for (auto& p : step_.parts) p = {p.name};
-  BudgetPart change, scale;  // of the state; scale: sum m |v|, sum m |x| |v|, kinetic energy
-  add_impulses(outside, now, change, scale);
+  StateChange state;
+  add_impulses(outside, now, state);
   add_supports(outside, now);
   const OutsideWork &then = before_.works, &since = now.works;
   if (outside.loads_body()) step_.part("loads").energy = since.loads - then.loads;
   if (outside.damps()) step_.part("damping").energy = since.damping - then.damping;
   if (!outside.held().empty()) step_.part("supports").energy = since.supports - then.supports;
   if (!outside.contact().empty()) step_.part("contact").energy = since.contact - then.contact;
-  set_gaps(sum_of(step_.parts), change, scale, step_);
+  set_gaps(sum_of(step_.parts), state, step_);
   // the work of the internal force goes into what the body stores; what is left is the integrator's
   step_.part("integrator").energy =
       std::exchange(step_.part("internal force").energy, 0) + now.stored - before_.stored;

@@ -36,8 +36,7 @@ class SchemeBudget {
   const BudgetSums& total() const { return total_; }  ///< of all steps; gaps: the largest of all steps
 
  private:
-  void add_impulses(const OutsideForces<d>& outside, const Standing<d>& now, BudgetPart& change,
-                    BudgetPart& scale);
+  void add_impulses(const OutsideForces<d>& outside, const Standing<d>& now, StateChange& state);
   void add_supports(const OutsideForces<d>& outside, const Standing<d>& now);
 
   std::vector<Index> places_;

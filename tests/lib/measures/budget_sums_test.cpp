@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lib/core/error.hpp"
 
 namespace plumb {
@@ -19,14 +21,34 @@ BudgetPart part(const std::string& name, const Vec<3>& linear, const Vec<3>& ang
 TEST(BudgetSums, GapsAreRelativeToTheirOwnScales) {
   const BudgetPart explained = part("", {1, 2, 3}, {4, 5, 6}, 7), change = part("", {1, 2, 7}, {1, 5, 2}, 10);
   BudgetSums step;
-  set_gaps(explained, change, part("", {8, 0, 0}, {10, 0, 0}, 12), step);
+  set_gaps(explained, {change, part("", {8, 0, 0}, {10, 0, 0}, 12)}, step);
   EXPECT_DOUBLE_EQ(step.linear_gap, 0.5);
   EXPECT_DOUBLE_EQ(step.angular_gap, 0.5);
   EXPECT_DOUBLE_EQ(step.energy_gap, 0.25);
-  set_gaps(explained, change, {}, step);
+  set_gaps(explained, {change, {}}, step);
   EXPECT_DOUBLE_EQ(step.linear_gap, 4);
   EXPECT_DOUBLE_EQ(step.angular_gap, 5);
   EXPECT_DOUBLE_EQ(step.energy_gap, 3);
+}
+
+/// 2 kg that go from (1, 0, 0) to (1, 2, 0) m turn from (0, 3, 0) to (4, 3, 0) m/s, with (2, 3, 0) m/s meanwhile.
+TEST(BudgetSums, AStateChangesByMassTimesWhatItsParticlesDo) {
+  StateChange state;
+  for (int n = 0; n < 2; ++n) state.add(2, {1, 0, 0}, {1, 2, 0}, {0, 3, 0}, {4, 3, 0}, {2, 3, 0});
+  EXPECT_EQ(state.change.linear, Vec<3>(16, 0, 0));
+  EXPECT_EQ(state.change.angular, Vec<3>(0, 0, 4 * ((1 * 3 - 2 * 4) - 1 * 3)));
+  EXPECT_DOUBLE_EQ(state.change.energy, 2 * (25 - 9));
+  EXPECT_DOUBLE_EQ(state.scale.linear[0], 4 * std::sqrt(13.0));
+  EXPECT_DOUBLE_EQ(state.scale.angular[0], 4 * std::sqrt(2.0) * std::sqrt(13.0));
+  EXPECT_DOUBLE_EQ(state.scale.energy, 2 * 13);
+}
+
+TEST(BudgetSums, AnImpulseTurnsAboutTheOrigin) {
+  BudgetPart pushed = part("", {1, 0, 0}, {0, 0, 1}, 5);
+  push({0, 3, 0}, {2, 0, 0}, pushed);
+  EXPECT_EQ(pushed.linear, Vec<3>(1, 3, 0));
+  EXPECT_EQ(pushed.angular, Vec<3>(0, 0, 7));
+  EXPECT_EQ(pushed.energy, 5);
 }
 
 TEST(BudgetSums, StepsAddUpAndTheLargestGapStays) {

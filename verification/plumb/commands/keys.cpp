@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "lib/core/error.hpp"
 #include "verification/plumb/commands.hpp"
 #include "verification/plumb/keys/key_words.hpp"
+#include "verification/plumb/keys/kind_option.hpp"
 #include "verification/plumb/keys/known_files.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -41,15 +41,7 @@ void add_keys(CLI::App& program, Session& session) {
         session.write_json({{"kind", *kind}, {"keys", rows_of(notes)}});
         return 0;
       });
-  command.add_option("KIND", *kind, "what is described: " + join(known_files()))
-      ->check([](const std::string& given) {
-        const auto valid = known_files();
-        return std::find(valid.begin(), valid.end(), given) != valid.end()
-                   ? std::string()
-                   : std::string(unknown_name("kind of file", given, valid).what());
-      })
-      ->capture_default_str()
-      ->type_name("KIND");
+  add_kind(command, kind, known_files());
 }
 
 }  // namespace plumb::app

@@ -2,12 +2,12 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "lib/core/error.hpp"
 #include "lib/input/document.hpp"
 #include "lib/output/json.hpp"
 #include "verification/plumb/commands.hpp"
 #include "verification/plumb/data_folder.hpp"
 #include "verification/plumb/keys/key_schema.hpp"
+#include "verification/plumb/keys/kind_option.hpp"
 #include "verification/plumb/keys/known_files.hpp"
 #include "verification/plumb/session.hpp"
 
@@ -46,15 +46,7 @@ void add_schema(CLI::App& program, Session& session) {
                     session.write_json({{"kind", *kind}, {"schema", schema}});
                     return 0;
                   });
-  command.add_option("KIND", *kind, "what is described: " + join(kinds()))
-      ->check([](const std::string& given) {
-        const auto valid = kinds();
-        return std::find(valid.begin(), valid.end(), given) != valid.end()
-                   ? std::string()
-                   : std::string(unknown_name("kind of file", given, valid).what());
-      })
-      ->capture_default_str()
-      ->type_name("KIND");
+  add_kind(command, kind, kinds());
 }
 
 }  // namespace plumb::app

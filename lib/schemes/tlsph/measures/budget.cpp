@@ -167,7 +167,7 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
   const std::size_t forces = a.impulse.size();
   for (auto& part : step_.parts) part = {part.name};
   BudgetPart& integrator = step_.parts.back();
-  BudgetPart change, scale;  // of the state; scale: sum m |v|, sum m |x| |v|, kinetic energy
+  StateChange moved;
   for (Index p = 0; p < solid.cloud.size(); ++p) {
     const Index i = solid.bonds.slots.of(p);
     const double m = solid.elastic.density * solid.cloud.V[p];
@@ -180,17 +180,11 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
       const Vec<3> sum = in_space<d>(vector_at<d>(a.impulse[k], i));
       const Vec<3> impulse = dt * solid.cloud.V[p] * (sum - so_far);
       so_far = sum;
-      step_.parts[k].linear += impulse;
-      step_.parts[k].angular += x.cross(impulse);
+      push(impulse, x, step_.parts[k]);
       step_.parts[k].energy += v.dot(impulse);
     }
     integrator.angular += m * (x1 - x0).cross(v);
-    change.linear += m * (v1 - v0);
-    change.angular += m * (x1.cross(v1) - x0.cross(v0));
-    change.energy += 0.5 * m * (v1.squaredNorm() - v0.squaredNorm());
-    scale.linear[0] += m * v.norm();
-    scale.angular[0] += m * x.norm() * v.norm();
-    scale.energy += 0.5 * m * v.squaredNorm();
+    moved.add(m, x0, x1, v0, v1, v);
   }
   // supports set velocities at the end of the step: what no force has done is theirs
   for (const auto& [part, place] : a.held) {
@@ -202,11 +196,10 @@ void Budget<d>::close_step(const Solid<d>& solid, const State<d>& state) {
     const Vec<3> x =
         in_space<d>(Vec<d>(0.5 * (position_of(solid, a.before, p) + position_of(solid, state, p))));
     const Vec<3> impulse = rest * Vec<3>::Unit(k);
-    step_.parts[part].linear += impulse;
-    step_.parts[part].angular += x.cross(impulse);
+    push(impulse, x, step_.parts[part]);
     step_.parts[part].energy += 0.5 * (v0 + v1) * rest;
   }
-  set_gaps(sum_of(step_.parts), change, scale, step_);
+  set_gaps(sum_of(step_.parts), moved, step_);
 
   // the work of forces that have a potential goes into it; what is left is the integrator's
   double conserved = potential_energy(solid, state) - a.potential_before;
