@@ -46,21 +46,25 @@ struct JohnsonCook {
     template <class Visit>
     void fields(Visit&& visit) {
       constexpr double inf = std::numeric_limits<double>::infinity();
-      visit(LawParameter{"yield", quantity::stress, "A: yield stress at first", Sign::positive, inf, true},
+      visit(LawParameter{"yield", quantity::stress, "A: yield stress at first", Sign::positive, inf, true}
+                .called("A"),
             yield);
       visit(LawParameter{"hardening", quantity::stress, "B: factor of the power of the plastic strain",
-                         Sign::not_negative},
+                         Sign::not_negative}
+                .called("B"),
             hardening);
-      visit(LawParameter{"hardening_exponent", quantity::number, "n: that power", Sign::positive},
+      visit(LawParameter{"hardening_exponent", quantity::number, "n: that power", Sign::positive}.called("n"),
             hardening_exponent);
-      visit(LawParameter{"rate_factor", quantity::number, "C: of the logarithm of the rate",
-                         Sign::not_negative},
-            rate_factor);
+      visit(
+          LawParameter{"rate_factor", quantity::number, "C: of the logarithm of the rate", Sign::not_negative}
+              .called("C"),
+          rate_factor);
       visit(LawParameter{"reference_rate", quantity::rate, "slower flow has the stress of this rate",
                          Sign::positive},
             reference_rate);
       visit(
-          LawParameter{"softening_exponent", quantity::number, "m: power of the temperature", Sign::positive},
+          LawParameter{"softening_exponent", quantity::number, "m: power of the temperature", Sign::positive}
+              .called("m"),
           softening_exponent);
       visit(LawParameter{"reference_temperature", kelvin, "below it nothing softens", Sign::not_negative},
             reference_temperature);
@@ -70,15 +74,18 @@ struct JohnsonCook {
       visit(LawParameter{"temperature", kelvin, "of the start", Sign::not_negative}, temperature);
       visit(LawParameter{"heat_capacity", capacity, "c_p", Sign::not_negative}, heat_capacity);
       visit(LawParameter{"heat_share", quantity::number, "eta: share of the plastic work that heats",
-                         Sign::not_negative, 1},
+                         Sign::not_negative, 1}
+                .called("eta"),
             heat_share);
       visit(LawParameter{"damage_1", quantity::number, "D1 of the strain at fracture"}, damage_1);
       visit(LawParameter{"damage_2", quantity::number, "D2, times exp(D3 s)"}, damage_2);
       visit(LawParameter{"damage_3", quantity::number, "D3, of the triaxiality s = -P/q"}, damage_3);
       visit(LawParameter{"damage_4", quantity::number, "D4, of the logarithm of the rate"}, damage_4);
       visit(LawParameter{"damage_5", quantity::number, "D5, of the temperature"}, damage_5);
-      visit(LawParameter{"fracture_floor", quantity::number, "least strain at fracture", Sign::positive},
-            fracture_floor);
+      visit(
+          LawParameter{"fracture_floor", quantity::number, "least strain at fracture", Sign::positive}.called(
+              "fracture_strain_floor"),
+          fracture_floor);
     }
   };
 

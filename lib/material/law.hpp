@@ -38,7 +38,15 @@ struct LawParameter {
   std::string_view meaning;  ///< for lists and messages
   Sign sign = Sign::any;
   double most = std::numeric_limits<double>::infinity();
-  bool required = false;  ///< there is no default
+  bool required = false;         ///< there is no default
+  std::string_view symbol = {};  ///< the letter that the paper has for it, a second key; empty: none
+
+  /// Returns the same parameter with that symbol.
+  constexpr LawParameter called(std::string_view letter) const {
+    LawParameter same = *this;
+    same.symbol = letter;
+    return same;
+  }
 };
 
 /// A law by its name, with the values of its parameters in SI units; those left

@@ -7,6 +7,7 @@
 #include "lib/schemes/implicit/energy_momentum.hpp"
 #include "lib/schemes/implicit/load_path.hpp"
 #include "lib/schemes/implicit/midpoint.hpp"
+#include "lib/schemes/implicit/trapezoid.hpp"
 
 namespace plumb {
 namespace {
@@ -147,6 +148,11 @@ void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene&
     go_in_time<Midpoint<d>>(simulation, way, [way, tolerance](const BodyMotion& from) {
       return std::make_unique<Midpoint<d>>(way->body.energy(), way->body.actions(), tolerance, from,
                                            way->options.solver);
+    });
+  else if (scene.method.implicit.trapezoid)
+    go_in_time<Trapezoid<d>>(simulation, way, [way, tolerance](const BodyMotion& from) {
+      return std::make_unique<Trapezoid<d>>(way->body.energy(), way->body.actions(), tolerance, from,
+                                            way->options.solver);
     });
   else if (scene.method.implicit.energy_momentum)
     go_in_time<EnergyMomentum<d>>(

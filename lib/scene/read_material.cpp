@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "lib/core/error.hpp"
 #include "lib/material/law.hpp"
 #include "lib/material/rate_models.hpp"
@@ -23,17 +25,46 @@ void read_elastic(const Section& section, MaterialChoice& material, MaterialOf o
     material.density = section.number({"density", "of the reference"}, quantity::density, Sign::positive);
 }
 
+/// A parameter under its name or its symbol; nothing if neither is there.
+std::optional<double> parameter(const Section& section, const LawParameter& about) {
+  const std::string name(about.name), symbol(about.symbol), meaning(about.meaning);
+  std::string key = name;
+  if (!symbol.empty() && section.has({symbol, "short for " + name})) {
+    if (section.has(name))
+      section.fail(symbol, "contradicts " + name, "they are two names of one parameter",
+                   "leave one of them out");
+    key = symbol;
+  } else if (!about.required && !section.has(name)) {
+    return std::nullopt;
+  }
+  const double value = section.number({key, meaning}, about.quantity, about.sign);
+  if (value > about.most)
+    section.fail(key, fmt::format("{} is too large", value), meaning,
+                 fmt::format("use at most {}", about.most));
+  return value;
+}
+
+/// damage = [D1, .., D5]: five parameters at once.
+void read_damage(const Section& section, MaterialChoice& material) {
+  if (!section.has({"damage", "damage_1 to damage_5 at once"})) return;
+  const std::vector<double> all =
+      section.numbers({"damage", "damage_1 to damage_5 at once"}, 5, quantity::number);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::string key = fmt::format("damage_{}", k + 1);
+    if (material.parameters.contains(key))
+      section.fail("damage", "contradicts " + key, "it is one of the five", "leave one of them out");
+    material.parameters[key] = all[k];
+  }
+}
+
 /// The parameters that the law declares; a key of another law stays unknown.
 void read_parameters(const Section& section, MaterialChoice& material) {
+  bool breaks = false;
   for (const LawParameter& about : parameters_of_law(material.model)) {
-    const std::string key(about.name);
-    if (!about.required && !section.has(key)) continue;
-    const double value = section.number({key, std::string(about.meaning)}, about.quantity, about.sign);
-    if (value > about.most)
-      section.fail(key, fmt::format("{} is too large", value), std::string(about.meaning),
-                   fmt::format("use at most {}", about.most));
-    material.parameters[key] = value;
+    breaks = breaks || about.name == "damage_1";
+    if (const auto value = parameter(section, about)) material.parameters[std::string(about.name)] = *value;
   }
+  if (breaks) read_damage(section, material);
 }
 
 void read_plane(const Section& section, MaterialChoice& material, int dimension) {

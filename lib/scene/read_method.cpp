@@ -203,8 +203,8 @@ Method read_method_section(const Section& root, const Body& body) {
 }  // namespace
 
 std::vector<std::string> method_sections() {
-  std::vector<std::string> names{"method",  "compatible", "mixed",  "implicit",
-                                 "updated", "eulerian",   "element"};
+  std::vector<std::string> names{"method",   "compatible", "mixed",     "implicit",         "updated",
+                                 "eulerian", "element",    "viscosity", "artificial_stress"};
   Method method;
   for_each_part(method, [&]<class Part>(std::optional<Part>&) { names.emplace_back(Part::section); });
   return names;

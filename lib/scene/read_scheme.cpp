@@ -35,6 +35,10 @@ void read_scheme(const Section& root, Method& method) {
     if (root.has(name) && method.scheme != name && !(by_newton && std::string_view(name) == "implicit"))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               fmt::format("it belongs to scheme = \"{}\"", name), "leave one of them out");
+  for (const char* name : {"viscosity", "artificial_stress"})
+    if (root.has(name) && method.scheme != "eulerian")
+      root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                              "it belongs to scheme = \"eulerian\"", "leave one of them out");
   if (const auto section = root.optional_section({"mixed", "the mixed scheme, paper 003"})) {
     method.mixed = MixedOptions::read(*section, method.mixed);
     section->reject_unknown();
@@ -52,6 +56,7 @@ void read_scheme(const Section& root, Method& method) {
     method.eulerian = EulerianOptions::read(*section, method.eulerian);
     section->reject_unknown();
   }
+  if (method.scheme == "eulerian") read_sections_beside(root, method.eulerian);
   if (method.cfl)
     method.mixed.cfl = method.updated.cfl = method.eulerian.cfl = method.element.cfl = *method.cfl;
   if (!has_own_body(method.scheme)) return;

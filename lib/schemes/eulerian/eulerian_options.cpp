@@ -41,10 +41,17 @@ void read_numbers(const Section& section, EulerianOptions& o) {
 }  // namespace
 
 EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o) {
-  o.force = section.choice_or({"force", "minus the power of the stress, or the printed (10), (11)"}, o.force,
-                              {"adjoint", "printed"});
-  o.damping = section.choice_or({"damping", "half of the stress increment, extrapolated velocities, or none"},
-                                o.damping, {"objective", "extrapolated", "none"});
+  o.force = section.choice_or(
+      {"force", "minus the power of the stress, or the printed (10), (11), whose sums are Shepard's"},
+      o.force, {"adjoint", "printed", "shepard"});
+  if (o.force == "shepard") o.force = "printed";
+  o.damping = section.choice_or(
+      {"damping", "half of the stress increment (stress: the same), extrapolated velocities, or none"},
+      o.damping, {"objective", "stress", "extrapolated", "none"});
+  if (o.damping == "stress") o.damping = "objective";
+  section.choice_or(
+      {"error_vector", "of hourglass control: that of the whole deformation, over all references"}, "total",
+      {"total"});
   o.hourglass = section.choice_or(
       {"hourglass", "control of hourglass modes: stiffness (32), viscous (33), mixed (34), or none"},
       o.hourglass, {"stiffness", "viscous", "mixed", "none"});
@@ -71,6 +78,29 @@ EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o)
       section.fail("misprints", fmt::format("there is none of ({})", equation),
                    "the others are not in the scheme, or cannot be computed", "valid: \"32\", \"33\"");
   return o;
+}
+
+void read_sections_beside(const Section& root, EulerianOptions& o) {
+  const auto take = [&](const Section& section, const Key& key, const char* other, double& value) {
+    if (!section.has(key)) return;
+    if (const auto own = root.optional_section({"eulerian", "the scheme with Eulerian kernels, paper 001"});
+        own && own->has(other))
+      section.fail(key.name, fmt::format("contradicts [eulerian] {}", other),
+                   "they are two names of one number", "leave one of them out");
+    value = section.number(key, quantity::number, Sign::not_negative);
+  };
+  if (const auto section =
+          root.optional_section({"viscosity", "artificial viscosity (17) of scheme = \"eulerian\""})) {
+    take(*section, {"alpha", "viscosity_linear"}, "viscosity_linear", o.viscosity_linear);
+    take(*section, {"beta", "viscosity_quadratic"}, "viscosity_quadratic", o.viscosity_quadratic);
+    section->reject_unknown();
+  }
+  if (const auto section =
+          root.optional_section({"artificial_stress", "artificial stress (11) of scheme = \"eulerian\""})) {
+    take(*section, {"epsilon", "artificial_stress"}, "artificial_stress", o.artificial_stress);
+    take(*section, {"n", "artificial_exponent"}, "artificial_exponent", o.artificial_exponent);
+    section->reject_unknown();
+  }
 }
 
 EulerianOptions EulerianOptions::of_paper() {

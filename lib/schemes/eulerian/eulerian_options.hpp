@@ -52,4 +52,7 @@ struct EulerianOptions {
   double viscous() const { return hourglass == "viscous" ? zeta : hourglass == "mixed" ? chi * zeta : 0; }
 };
 
+/// Reads the sections [viscosity] and [artificial_stress] of a scene, other names of keys of [eulerian].
+void read_sections_beside(const Section& root, EulerianOptions& options);
+
 }  // namespace plumb

@@ -42,6 +42,14 @@ DiscreteEnergy<d>::DiscreteEnergy(StoredEnergy<d> energy, std::vector<Index> unk
     : stored_(std::move(energy)), unknowns_(std::move(unknowns)) {}
 
 template <int d>
+Eigen::VectorXd DiscreteEnergy<d>::masses() const {
+  Eigen::VectorXd mass(d * cloud().size());
+  for (Index i = 0; i < cloud().size(); ++i)
+    mass.segment<d>(d * i).setConstant(elastic().density * cloud().V[i]);
+  return mass;
+}
+
+template <int d>
 void DiscreteEnergy<d>::take_parts() {
   const EnergyOperators<d>& operators = *stored_.operators;
   gradient_part_ = operators.gradient.matrix(0, operators.gradient.places(), unknowns_);

@@ -47,6 +47,8 @@ class DiscreteEnergy {
   const SparseMatrix& material() const { return material_; }  ///< T, where it was linearised last
   const Cloud<d>& cloud() const { return stored_.cloud; }
   const Elastic& elastic() const { return stored_.elastic; }
+  /// Returns rho V of every unknown [kg].
+  Eigen::VectorXd masses() const;
   const Slots& slots() const { return stored_.slots; }
   double round_off() const { return stored_.round_off; }  ///< of E near the reference [J]
   /// Says that the body is at u for good: a law with history moves it there.

@@ -29,8 +29,9 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
     options.solver = LinearSolver::iterative;
   const std::string dynamics =
       section.choice_or({"dynamics", "none: equilibria; else the rule of steps in time"}, "none",
-                        {"none", "midpoint", "energy-momentum"});
+                        {"none", "midpoint", "energy-momentum", "trapezoid"});
   options.midpoint = dynamics == "midpoint";
+  options.trapezoid = dynamics == "trapezoid";
   options.energy_momentum = dynamics == "energy-momentum";
   if (options.energy_momentum && options.solver == LinearSolver::iterative)
     section.fail("solver", "\"iterative\" contradicts dynamics = \"energy-momentum\"",
@@ -45,7 +46,10 @@ std::string ImplicitOptions::in_words() const {
                                      : fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
   if (moves())
     return fmt::format("{}, {}, residual {:g} of the forces",
-                       midpoint ? "implicit midpoint rule" : "energy-momentum rule", size, tolerance);
+                       midpoint    ? "implicit midpoint rule"
+                       : trapezoid ? "trapezoidal rule"
+                                   : "energy-momentum rule",
+                       size, tolerance);
   return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces{}", size,
                      adaptive ? " (halved and grown as needed)" : "", tolerance,
                      solver == LinearSolver::iterative ? ", conjugate gradients" : "");

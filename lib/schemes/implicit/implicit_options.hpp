@@ -22,8 +22,9 @@ struct ImplicitOptions {
   LinearSolver solver = LinearSolver::direct;  ///< with the tangent
   bool midpoint = false;                       ///< dynamics = "midpoint": steps in time instead of equilibria
   bool energy_momentum = false;                ///< dynamics = "energy-momentum": likewise, with exact energy
+  bool trapezoid = false;                      ///< dynamics = "trapezoid": likewise, by the trapezoidal rule
 
-  bool moves() const { return midpoint || energy_momentum; }  ///< in time, with inertia
+  bool moves() const { return midpoint || trapezoid || energy_momentum; }  ///< in time, with inertia
   /// Reads the section. Throws SceneError.
   static ImplicitOptions read(const Section& section);
   /// Says for a reader what it is set to.

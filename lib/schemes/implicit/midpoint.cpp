@@ -1,27 +1,13 @@
 #include "lib/schemes/implicit/midpoint.hpp"
 
 namespace plumb {
-namespace {
-
-/// rho V of every unknown [kg].
-template <int d>
-Eigen::VectorXd masses_of(const DiscreteEnergy<d>& energy) {
-  const Cloud<d>& cloud = energy.cloud();
-  Eigen::VectorXd mass(d * cloud.size());
-  for (Index i = 0; i < cloud.size(); ++i)
-    mass.segment<d>(d * i).setConstant(energy.elastic().density * cloud.V[i]);
-  return mass;
-}
-
-}  // namespace
-
 template <int d>
 Midpoint<d>::Midpoint(StoredEnergy<d> energy, const Actions<d>& actions, double tolerance,
                       const BodyMotion& from, LinearSolver how)
     : tolerance_(tolerance),
       balance_(std::move(energy), actions, {from.time, 1}, from.u),
       solver_(balance_, how),
-      mass_(masses_of(balance_.energy())) {}
+      mass_(balance_.energy().masses()) {}
 
 template <int d>
 NewtonResult Midpoint<d>::step(BodyMotion& motion, double dt) {
