@@ -42,6 +42,18 @@ void Updated<d>::stretch_bonds(const State& state, const PairHistory& before, do
   });
 }
 
+/// What the bonds of a particle add to its stress, since its velocity gradient is in their stretch: THEORY
+/// (17.11).
+template <int d>
+Mat<d> Updated<d>::reaction(const PairHistory& bonds, const PairRow<d>& row) const {
+  Mat<d> sum = Mat<d>::Zero();
+  for (Index m = 0; m < row.count; ++m) {
+    const Vec<d> r = row.r_of(m);
+    sum += (row.weight[m] * bonds.value[row.place[m]] / row.distance[m]) * r * r.transpose();
+  }
+  return 0.5 * bond_modulus() * sum;
+}
+
 /// Force on every particle at x_ [N], THEORY (17.6): S_ holds sigma B. Without dissipation
 /// impedance_ is not read.
 template <int d>
@@ -69,12 +81,17 @@ void Updated<d>::conservative_forces(const PairHistory& bonds, bool dissipates) 
 
 template <int d>
 void Updated<d>::balance(double time, bool still) {
-  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+  const bool bonds_are_shear = options_.form == "eno", reacts = options_.bonds_react();
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) {
+    M_[i] = row.minus_sum(row.r);
+    if (reacts) S_[i] = reaction(next_.bonds, row);
+  });
   correct();
-  const bool bonds_are_shear = options_.form == "eno";
   for_particles(count(), [&](Index i) {
-    const Mat<d> pressure = law_.pressure(next_.density[0][i]) * Mat<d>::Identity();
-    S_[i] = (bonds_are_shear ? Mat<d>(-pressure) : Mat<d>(tensor_at<d>(next_.stress, i) - pressure)) * B_[i];
+    Mat<d> stress = -law_.pressure(next_.density[0][i]) * Mat<d>::Identity();
+    if (!bonds_are_shear) stress += tensor_at<d>(next_.stress, i);
+    if (reacts) stress += S_[i];
+    S_[i] = stress * B_[i];
   });
   conservative_forces(next_.bonds, !still && options_.dissipation != "none");
   for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/schemes/outside.hpp"
+#include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
 #include "lib/schemes/updated/pair_sums.hpp"
@@ -86,6 +87,7 @@ class Updated {
   Moved at_end_of_step(const State& state, Index i) const;
   /// Stretches `before`, which belongs to the list of now, into the room of the next state.
   void stretch_bonds(const State& state, const PairHistory& before, double tau);
+  Mat<d> reaction(const PairHistory& bonds, const PairRow<d>& row) const;
   void conservative_forces(const PairHistory& bonds, bool dissipates);
   /// Accelerations at x_ by stress, density and pairs of the next state, and by loads and walls of that time; without
   /// dissipation if it is `still`.
