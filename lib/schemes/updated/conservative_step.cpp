@@ -79,8 +79,25 @@ void Updated<d>::conservative_forces(const PairHistory& bonds, bool dissipates) 
   });
 }
 
+/// Accelerations by forces between bodies, and by the couples that friction puts on the stress: THEORY (19.6).
 template <int d>
-void Updated<d>::balance(double time, bool still) {
+void Updated<d>::press_bodies(const State& state, double apart) {
+  for_particles(count(), [&](Index i) { S_[i] = tensor_at<d>(state.gradient, i); });
+  touching_->find(x_, {v_, S_, apart}, next_.slip);
+  const std::vector<Vec<d>>& forces = touching_->forces();
+  if (const auto* couples = touching_->couples()) {
+    for_particles(count(), [&](Index i) { S_[i] = (*couples)[i] / V_[i] * B_[i]; });
+    for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) {
+      set_vector<d>(between_, i, (forces[i] + V_[i] * row.adjoint_sum(S_, i)) / mass_[i]);
+    });
+  } else {
+    for_particles(count(), [&](Index i) { set_vector<d>(between_, i, forces[i] / mass_[i]); });
+  }
+  outside_.add_between(between_, acceleration_);
+}
+
+template <int d>
+void Updated<d>::balance(double time, bool still, const State& state, double apart) {
   const bool bonds_are_shear = options_.form == "eno", reacts = options_.bonds_react();
   for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) {
     M_[i] = row.minus_sum(row.r);
@@ -97,6 +114,7 @@ void Updated<d>::balance(double time, bool still) {
   for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });
   outside_.add_loads(time, &next_.F, acceleration_);
   outside_.add_contact(time, x_, next_.anchors, acceleration_);
+  if (touching_) press_bodies(state, apart);
 }
 
 template <int d>
@@ -119,7 +137,8 @@ std::optional<OpenAcceleration> Updated<d>::open(const State& state, bool still)
     stretch_bonds(state, kept, 0.5 * state.last_step);
   }
   next_.anchors = state.anchors;
-  balance(state.time, still);
+  next_.slip = state.slip;
+  balance(state.time, still, state, 0.5 * state.last_step);
   return OpenAcceleration{acceleration_, outside_.loads()};
 }
 
@@ -142,7 +161,7 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
   for_particles(count(), [&](Index i) { x_[i] += 0.5 * dt * v_[i]; });
   neighbours_.update(x_);
   if (bond_modulus() > 0) next_.bonds.move_to(neighbours_.list());
-  balance(middle, false);
+  balance(middle, false, state, tau);
   outside_.hold(middle, dt, state.v, acceleration_, unused_);
   for_particles(count(), [&](Index i) {
     const Vec<d> v = v_[i] + dt * vector_at<d>(acceleration_, i);
