@@ -7,8 +7,11 @@
 
 namespace plumb {
 
-/// Names a rigid wall that the body may touch. It is one section [[contact]] of a scene. A plane or triangles.
+/// Names a rigid wall that the body may touch, a plane or triangles, or two bodies and how they touch. It is one section
+/// [[contact]] of a scene.
 struct ContactOptions {
+  std::string body;                   ///< the first name of `between`; empty: every body
+  bool of_bodies = false;             ///< `wall` is another body: there is neither plane nor triangles
   std::string wall = "wall";          ///< what results call it: the second name of `between`
   std::vector<double> point, normal;  ///< of a plane [m]; the normal points out of the wall. Empty: triangles
   std::vector<double> corners;        ///< of triangles that close a surface [m], nine numbers each

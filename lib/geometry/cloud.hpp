@@ -24,6 +24,7 @@ struct Cloud {
   double spacing = 0;             ///< typical distance of neighbours d [m]
   Box<d> box;                     ///< the body's box, for faces
   Index line = 0;                 ///< lattices: particles per contiguous line; 0 for any other cloud
+  std::vector<int> body;          ///< number (0, 1, ..) of each particle's body; empty: there is one
   std::array<Index, d> count{};   ///< lattices: particles along each axis
   std::array<Index, d> stride{};  ///< lattices: particle numbers from one to the next along each axis
 

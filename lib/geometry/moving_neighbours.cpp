@@ -111,16 +111,18 @@ struct MeanMotion {
 }  // namespace
 
 template <int d>
-PairList pairs_within(const std::vector<Vec<d>>& x, double radius) {
+PairList pairs_within(const std::vector<Vec<d>>& x, double radius, const std::vector<int>& body, PairsOf of) {
   const auto particles = static_cast<Index>(x.size());
   PairList list;
   list.begin.assign(x.size() + 1, 0);
   if (x.empty()) return list;
   const Cells<d> cells = cells_of<d>(x, radius);
+  const bool all = of == PairsOf::all || body.empty(), same = of == PairsOf::one_body;
+  const auto wanted = [&](Index i, Index j) { return all || (body[i] == body[j]) == same; };
 #pragma omp parallel for schedule(static) if (particles > rows_for_threads)
   for (Index i = 0; i < particles; ++i) {
     std::int64_t count = 0;
-    for_near<d>(cells, x, i, radius, [&](std::int32_t) { ++count; });
+    for_near<d>(cells, x, i, radius, [&](std::int32_t j) { count += wanted(i, j); });
     list.begin[i + 1] = count;
   }
   for (Index i = 0; i < particles; ++i) list.begin[i + 1] += list.begin[i];
@@ -128,7 +130,9 @@ PairList pairs_within(const std::vector<Vec<d>>& x, double radius) {
 #pragma omp parallel for schedule(static) if (particles > rows_for_threads)
   for (Index i = 0; i < particles; ++i) {
     std::int64_t n = list.begin[i];
-    for_near<d>(cells, x, i, radius, [&](std::int32_t j) { list.other[n++] = j; });
+    for_near<d>(cells, x, i, radius, [&](std::int32_t j) {
+      if (wanted(i, j)) list.other[n++] = j;
+    });
     std::sort(list.other.begin() + list.begin[i], list.other.begin() + n);
   }
   return list;
@@ -183,8 +187,8 @@ PairHistory history_of(const std::vector<double>& triples, Index particles) {
 }
 
 template <int d>
-MovingNeighbours<d>::MovingNeighbours(double reach, double skin, std::vector<int> body)
-    : reach_(reach), skin_(skin), body_(std::move(body)) {
+MovingNeighbours<d>::MovingNeighbours(double reach, double skin, std::vector<int> body, PairsOf of)
+    : reach_(reach), skin_(skin), body_(std::move(body)), of_(of) {
   if (!body_.empty()) bodies_ = *std::max_element(body_.begin(), body_.end()) + 1;
 }
 
@@ -199,8 +203,9 @@ double MovingNeighbours<d>::approach(const std::vector<Vec<d>>& x) const {
   for (Index i = 0; i < particles; ++i) bodies[body_of(i)].add_rest(found_at_[i], x[i]);
   double nearer = 0;
   for (std::size_t a = 0; a < bodies.size(); ++a) {
-    nearer = std::max(nearer, 2 * std::sqrt(bodies[a].turned));  // distances do not change by a rigid motion
-    for (std::size_t b = a + 1; b < bodies.size(); ++b)
+    // distances do not change by a rigid motion
+    if (of_ != PairsOf::different_bodies) nearer = std::max(nearer, 2 * std::sqrt(bodies[a].turned));
+    for (std::size_t b = a + 1; b < bodies.size() && of_ != PairsOf::one_body; ++b)
       nearer = std::max(nearer, std::sqrt(bodies[a].shifted) + std::sqrt(bodies[b].shifted) +
                                     (bodies[a].shift() - bodies[b].shift()).norm());
   }
@@ -210,15 +215,15 @@ double MovingNeighbours<d>::approach(const std::vector<Vec<d>>& x) const {
 template <int d>
 bool MovingNeighbours<d>::update(const std::vector<Vec<d>>& x) {
   if (list_ && found_at_.size() == x.size() && approach(x) < skin_) return false;
-  list_ = std::make_shared<const PairList>(pairs_within<d>(x, reach_ + skin_));
+  list_ = std::make_shared<const PairList>(pairs_within<d>(x, reach_ + skin_, body_, of_));
   found_at_ = x;
   ++searches_;
   return true;
 }
 
-template PairList pairs_within<1>(const std::vector<Vec<1>>&, double);
-template PairList pairs_within<2>(const std::vector<Vec<2>>&, double);
-template PairList pairs_within<3>(const std::vector<Vec<3>>&, double);
+template PairList pairs_within<1>(const std::vector<Vec<1>>&, double, const std::vector<int>&, PairsOf);
+template PairList pairs_within<2>(const std::vector<Vec<2>>&, double, const std::vector<int>&, PairsOf);
+template PairList pairs_within<3>(const std::vector<Vec<3>>&, double, const std::vector<int>&, PairsOf);
 template class MovingNeighbours<1>;
 template class MovingNeighbours<2>;
 template class MovingNeighbours<3>;

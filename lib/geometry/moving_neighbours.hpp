@@ -40,6 +40,9 @@ struct PairHistory {
 /// The history of `particles` particles that has these triples.
 PairHistory history_of(const std::vector<double>& triples, Index particles);
 
+/// Which pairs a list holds: those within bodies, those between them, or both.
+enum class PairsOf { all, one_body, different_bodies };
+
 /// Keeps a list that holds every pair nearer than `reach`. It is found again when two particles may have come
 /// nearer by the skin than they were: by how far each has moved relative to the mean rigid motion of its
 /// body, and those of different bodies by how far the bodies have moved, too. Sums over a row in its order,
@@ -48,7 +51,7 @@ template <int d>
 class MovingNeighbours {
  public:
   /// reach and skin in [m]. `body`: the number (0, 1, ..) of each particle's body; empty: there is one body.
-  MovingNeighbours(double reach, double skin, std::vector<int> body = {});
+  MovingNeighbours(double reach, double skin, std::vector<int> body = {}, PairsOf of = PairsOf::all);
 
   /// Makes the list good for particles at x [m], which must be finite. Returns whether it was found again.
   bool update(const std::vector<Vec<d>>& x);
@@ -64,14 +67,17 @@ class MovingNeighbours {
 
   double reach_, skin_;
   std::vector<int> body_;
+  PairsOf of_ = PairsOf::all;
   int bodies_ = 1;
   std::shared_ptr<const PairList> list_;
   std::vector<Vec<d>> found_at_;
   long searches_ = 0;
 };
 
-/// Every pair nearer than `radius` [m], by cells of that size (larger ones where particles are far apart).
+/// Every pair nearer than `radius` [m], by cells of that size (larger ones where particles are far apart). `body`: the number of
+/// each particle's body, if not all pairs are wanted.
 template <int d>
-PairList pairs_within(const std::vector<Vec<d>>& x, double radius);
+PairList pairs_within(const std::vector<Vec<d>>& x, double radius, const std::vector<int>& body = {},
+                      PairsOf of = PairsOf::all);
 
 }  // namespace plumb

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lib/geometry/shaped_cloud.hpp"
 #include "lib/scene/cloud_file.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
@@ -52,6 +54,30 @@ Cloud<d> make_cloud(const Body& body) {
 }
 
 template <int d>
+Cloud<d> make_cloud(const Scene& scene) {
+  Cloud<d> all = make_cloud<d>(scene.body);
+  if (scene.others.empty()) return all;
+  all.body.assign(all.X.size(), 0);
+  all.line = 0;
+  all.count = all.stride = {};
+  for (const Body& body : scene.others) {
+    const Cloud<d> cloud = make_cloud<d>(body);
+    constexpr double same = 1e-9;  // two roundings of one length
+    if (std::abs(cloud.spacing - all.spacing) > same * all.spacing)
+      throw InputError(fmt::format("spacings of {:g} m in body \"{}\" and {:g} m in body \"{}\"", all.spacing,
+                                   scene.body.name, cloud.spacing, body.name),
+                       "particles of bodies that touch are as far apart", "use one spacing");
+    const Vec<d> end = (all.box.origin + all.box.size).cwiseMax(cloud.box.origin + cloud.box.size);
+    all.box.origin = all.box.origin.cwiseMin(cloud.box.origin);
+    all.box.size = end - all.box.origin;
+    all.X.insert(all.X.end(), cloud.X.begin(), cloud.X.end());
+    all.V.insert(all.V.end(), cloud.V.begin(), cloud.V.end());
+    all.body.resize(all.X.size(), all.body.back() + 1);
+  }
+  return all;
+}
+
+template <int d>
 Surface<d> surface_of(const Body& body, const Cloud<d>& cloud) {
   const Shape<d> shape = shape_of<d>(body);
   if constexpr (d > 1)
@@ -62,6 +88,9 @@ Surface<d> surface_of(const Body& body, const Cloud<d>& cloud) {
 template Shape<1> shape_of<1>(const Body&);
 template Shape<2> shape_of<2>(const Body&);
 template Shape<3> shape_of<3>(const Body&);
+template Cloud<1> make_cloud<1>(const Scene&);
+template Cloud<2> make_cloud<2>(const Scene&);
+template Cloud<3> make_cloud<3>(const Scene&);
 template Cloud<1> make_cloud<1>(const Body&);
 template Cloud<2> make_cloud<2>(const Body&);
 template Cloud<3> make_cloud<3>(const Body&);

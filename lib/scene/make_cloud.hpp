@@ -14,6 +14,10 @@ Shape<d> shape_of(const Body& body);
 template <int d>
 Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
 
+/// Particles of all bodies of a scene, one body after the other. InputError if their spacings differ.
+template <int d>
+Cloud<d> make_cloud(const Scene& scene);
+
 /// Particles of [body].
 template <int d>
 Cloud<d> make_cloud(const Body& body);

@@ -190,9 +190,14 @@ void resolve_lattice(const Section& section, Body& body, int dimension) {
   }
 }
 
+std::string read_name(const Section& section) {
+  return section.text_or({"name", "what [[contact]] calls the body"}, "body");
+}
+
 /// Particles of a file. A shape, where one is given, bounds them.
 Body read_body_of_file(const Section& section, int dimension) {
   Body body;
+  body.name = read_name(section);
   body.shape = section.choice_or("shape", body.shape, shape_names());
   if (body.shape != "box")
     read_shape(section, body, dimension);
@@ -242,6 +247,7 @@ Body with_spacing(Body body, double d) {
 
 Body read_body(const Section& section, int dimension, bool with_lattice) {
   Body body;
+  if (with_lattice) body.name = read_name(section);
   refuse_more_than_a_bar(section, dimension);
   body.shape = section.choice_or("shape", body.shape, shape_names());
   const bool surface =

@@ -95,11 +95,23 @@ void require_material(const Section& section, const Body& body, const Probe& pro
                  fmt::format("the body is {:.4g} m away", distance), "move the probe into it");
 }
 
-Probe read_probe(const Section& section, const Body& body) {
+/// Whose box has a point; of none the first body.
+const Body& body_at(const Scene& scene, const std::vector<double>& at) {
+  for (const Body& body : scene.others) {
+    bool within = true;
+    for (std::size_t k = 0; k < at.size(); ++k)
+      within = within && at[k] >= body.origin[k] && at[k] <= body.origin[k] + body.size[k];
+    if (within) return body;
+  }
+  return scene.body;
+}
+
+Probe read_probe(const Section& section, const Scene& scene) {
   Probe probe;
   probe.name = section.text({"name", "what results call it"});
-  probe.at = section.numbers({"at", "reference point; the nearest particle is followed"}, body.size.size(),
-                             quantity::length);
+  probe.at = section.numbers({"at", "reference point; the nearest particle is followed"},
+                             scene.body.size.size(), quantity::length);
+  const Body& body = body_at(scene, probe.at);
   for (std::size_t k = 0; k < body.size.size(); ++k) {
     const double from_origin = probe.at[k] - body.origin[k];
     const double margin = 1e-9 * body.size[k];  // rounding of typed coordinates
@@ -184,7 +196,7 @@ std::vector<Expression> read_exact(const Section& root, int dimension) {
                            quantity::length, Variables::space_and_time);
 }
 
-std::optional<Output> read_output(const Section& root, const Body& body) {
+std::optional<Output> read_output(const Section& root, const Scene& scene) {
   const auto section = root.optional_section({"output", "what is written; without it the summary only"});
   if (!section) return std::nullopt;
   Output output;
@@ -201,7 +213,7 @@ std::optional<Output> read_output(const Section& root, const Body& body) {
       {"budget", "momenta and energy by the cause that changed them, every step, as CSV"}, output.budget);
   if (section->has("fields")) output.fields = read_fields(*section);
   for (const auto& part : section->sections({"probe", "particles that are followed, one section each"})) {
-    const Probe probe = read_probe(part, body);
+    const Probe probe = read_probe(part, scene);
     for (const auto& other : output.probes)
       if (other.name == probe.name)
         part.fail("name", fmt::format("a second probe \"{}\"", probe.name), "results are listed by name");

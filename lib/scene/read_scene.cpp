@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "lib/scene/readers.hpp"
 #include "lib/scene/scheme_simulation.hpp"
@@ -17,10 +18,11 @@ void refuse_pointless_mirror(const Section& root, const Scene& scene) {
   const bool rolls = std::any_of(scene.boundaries.begin(), scene.boundaries.end(),
                                  [](const auto& b) { return b.kind == BoundaryKind::roller; });
   if (scene.body.layout == Layout::mirror && !rolls)
-    root.section("body").fail("layout", "mirror without a roller",
-                              "ghosts stand behind rollers: "
-                              "there is nothing to mirror",
-                              "use cell");
+    (root.is_array("body") ? root.sections("body").front() : root.section("body"))
+        .fail("layout", "mirror without a roller",
+              "ghosts stand behind rollers: "
+              "there is nothing to mirror",
+              "use cell");
 }
 
 /// An interval so short that there is no end of rows can only be a slip of units.
@@ -33,6 +35,27 @@ void refuse_endless_output(const Section& root, const Scene& scene) {
       root.section("output").fail(key,
                                   fmt::format("{:.3g} intervals until end_time", *scene.end_time / *interval),
                                   fmt::format("at most {:.0g}", most_rows), "check the units");
+}
+
+/// [body], or [[body]] with names of their own.
+void read_bodies(const Section& root, Scene& scene) {
+  const char* what =
+      "particles that fill a shape, or those of a file; several bodies: [[body]], one section each";
+  if (!root.is_array({"body", what})) {
+    scene.body = read_body(root.section({"body", what}), scene.dimension, true);
+    return;
+  }
+  const std::vector<Section> sections = root.sections({"body", what});
+  std::set<std::string> names;
+  for (const Section& section : sections) {
+    Body body = read_body(section, scene.dimension, true);
+    if (sections.size() > 1 && !section.has("name"))
+      section.fail("name", "missing key", "there are several bodies", "add name = \"..\"");
+    if (!names.insert(body.name).second)
+      section.fail("name", fmt::format("a second body \"{}\"", body.name), "results are listed by name",
+                   "give it another name");
+    names.size() == 1 ? scene.body = std::move(body) : scene.others.emplace_back(std::move(body));
+  }
 }
 
 /// The account of what changed momenta and energy is kept of explicit steps.
@@ -122,8 +145,7 @@ Scene scene_of(const TomlValue& document, const std::string& file_name, KeyNotes
   if (!scene.end_time && !scene.max_steps)
     head.fail("end_time", "missing key", "neither end_time nor max_steps says when to stop",
               "add end_time = \"0.1 s\" or max_steps = 100");
-  scene.body = read_body(root.section({"body", "particles that fill a shape, or those of a file"}),
-                         scene.dimension, true);
+  read_bodies(root, scene);
   scene.material = read_material(root.section({"material", "the law and its numbers"}), scene.dimension);
   scene.method = read_method(root, scene.body);
   refuse_history(root, scene.material, scene.method);
@@ -132,11 +154,11 @@ Scene scene_of(const TomlValue& document, const std::string& file_name, KeyNotes
   scene.initial = read_initial(root, scene.dimension);
   refuse_temperature(root, scene);
   scene.boundaries = read_boundaries(root, scene.dimension);
-  scene.contacts = read_contacts(root, scene.dimension);
+  scene.contacts = read_contacts(root, scene);
   refuse_following_pressure(root, scene);
   scene.relaxation = read_relaxation(root);
   scene.exact = read_exact(root, scene.dimension);
-  scene.output = read_output(root, scene.body);
+  scene.output = read_output(root, scene);
   if (scene.relaxation) refuse_restless(root, scene);
   refuse_endless_output(root, scene);
   refuse_walls(root, scene);

@@ -29,7 +29,8 @@ void read_scheme(const Section& root, Method& method);
 Method read_method(const Section& root, const Body& body);
 std::optional<Initial> read_initial(const Section& root, int dimension);
 std::vector<Boundary> read_boundaries(const Section& root, int dimension);
-std::optional<Output> read_output(const Section& root, const Body& body);
+/// Reads [output] of a scene whose bodies are known.
+std::optional<Output> read_output(const Section& root, const Scene& scene);
 /// Reads what [output] says of the exact displacement; empty if it says nothing.
 std::vector<Expression> read_exact(const Section& root, int dimension);
 

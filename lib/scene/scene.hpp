@@ -37,6 +37,7 @@ struct ShapeChoice {
 
 /// [body]: particles that fill a shape.
 struct Body {
+  std::string name = "body";       ///< what [[contact]] calls it
   std::string shape = "box";       ///< a name of the catalogue
   ShapeLengths lengths;            ///< [m] of a shape other than a box
   std::vector<ShapeChoice> holes;  ///< [[body.hole]]: what is taken off the shape
@@ -178,6 +179,7 @@ struct Scene {
   std::optional<double> end_time;  ///< [s]
   std::optional<long> max_steps;
   Body body;
+  std::vector<Body> others;  ///< of [[body]]: those after the first one
   MaterialChoice material;
   Method method;
   std::optional<LoadOptions> load;  ///< [load]; absent: no body forces

@@ -48,11 +48,11 @@ Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
                      "its sums have no images behind a roller", "use layout = \"node\" or \"cell\"");
   if (name == Updated<d>::name)
     return as_simulation<d>(Updated<d>(std::move(specimen), scene.method.updated, start.actions,
-                                       damping_of(scene), std::move(start.walls)),
+                                       damping_of(scene), std::move(start.walls), start.touch),
                             start.motion, control);
   if (name == Eulerian<d>::name)
     return as_simulation<d>(Eulerian<d>(std::move(specimen), scene.method.eulerian, start.actions,
-                                        damping_of(scene), std::move(start.walls)),
+                                        damping_of(scene), std::move(start.walls), start.touch),
                             start.motion, control);
   if (scene.method.scheme == "element")
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
@@ -79,6 +79,7 @@ Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
   if (!simulation.external_work && works) simulation.has_other_work = true;
   std::vector<Statement> more;
   if (scene.method.damping) more.push_back({"damping", scene.method.damping->in_words(), "THEORY (6.7)"});
+  if (!scene.others.empty()) more.push_back(bodies_of(scene));
   for (const ContactOptions& contact : scene.contacts) more.push_back(said_of(contact, scene.material));
   if (!more.empty())
     simulation.account = [account = simulation.account, more] {
@@ -91,13 +92,14 @@ Simulation<d> make_scheme_simulation(const Scene& scene, SchemeStart<d> start) {
 
 template <int d>
 Simulation<d> make_scheme_simulation(const Scene& scene) {
-  SchemeStart<d> start{make_cloud<d>(scene.body), {}, {}};
+  SchemeStart<d> start{make_cloud<d>(scene), {}, {}};
   const auto facets = [&] { return surface_of<d>(scene.body, start.cloud).facets; };
   const double time_scale = time_scale_of(scene);
   start.actions = actions_of_scene<d>(start.cloud, scene, facets, time_scale);
   refuse_contradictions<d>(start.cloud, start.actions, time_scale);
   start.motion = initial_motion<d>(scene, start.cloud);
   start.walls = walls_of_scene<d>(scene, start.cloud.spacing);
+  start.touch = touch_of_scene(scene);
   return make_scheme_simulation<d>(scene, std::move(start));
 }
 

@@ -5,6 +5,7 @@
 #include "lib/run/simulation.hpp"
 #include "lib/scene/scene.hpp"
 #include "lib/schemes/contact.hpp"
+#include "lib/schemes/touching_bodies.hpp"
 
 /// Schemes of the room `schemes` in the harness, by the name in [method].
 namespace plumb {
@@ -16,6 +17,7 @@ struct SchemeStart {
   Actions<d> actions;
   InitialMotion<d> motion;
   std::vector<RigidWall<d>> walls = {};
+  TouchOptions touch = {};  ///< of several bodies
 };
 
 /// Says that the scheme of that name works on a body of its own (all but "tlsph" do).

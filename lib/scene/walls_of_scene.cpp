@@ -13,14 +13,38 @@
 namespace plumb {
 namespace {
 
-/// The wall's name: the second of `between`.
-std::string read_between(const Section& section, const std::string& otherwise) {
-  if (!section.has("between")) return otherwise;
-  const std::vector<std::string> names = section.texts({"between", "names of the body and of the wall"});
+bool has_body(const Scene& scene, const std::string& name) {
+  return scene.body.name == name ||
+         std::any_of(scene.others.begin(), scene.others.end(), [&](const Body& b) { return b.name == name; });
+}
+
+/// The number of the body of that name; of none of them -1.
+int body_number(const Scene& scene, const std::string& name) {
+  if (scene.body.name == name) return 0;
+  for (std::size_t n = 0; n < scene.others.size(); ++n)
+    if (scene.others[n].name == name) return static_cast<int>(n) + 1;
+  return -1;
+}
+
+/// Names of a body and of a wall or of another body.
+void read_between(const Section& section, const Scene& scene, ContactOptions& contact) {
+  if (!section.has("between")) return;
+  const std::vector<std::string> names =
+      section.texts({"between", "names of the body and of the wall, or of two bodies"});
   if (names.size() != 2)
-    section.fail("between", fmt::format("{} names", names.size()), "a contact is between a body and a wall",
+    section.fail("between", fmt::format("{} names", names.size()),
+                 "a contact is between a body and a wall, or two bodies",
                  "write between = [\"body\", \"wall\"]");
-  return names[1];
+  contact.wall = names[1];
+  if (scene.others.empty()) return;  // there is one body, whatever its name
+  contact.body = names[0];
+  contact.of_bodies = has_body(scene, contact.wall);
+  if (!has_body(scene, contact.body))
+    section.fail("between", fmt::format("there is no body \"{}\"", contact.body),
+                 "the first name is that of a body", "give a [[body]] that name");
+  if (contact.body == contact.wall)
+    section.fail("between", fmt::format("body \"{}\" and itself", contact.body),
+                 "particles of one body have the forces of its scheme", "name two bodies");
 }
 
 void read_plane(const Section& section, int dimension, ContactOptions& contact) {
@@ -56,10 +80,7 @@ void read_triangles(const Section& section, int dimension, ContactOptions& conta
   }
 }
 
-ContactOptions read_contact(const Section& section, int dimension, const std::string& name) {
-  ContactOptions contact;
-  contact.wall = read_between(section, name);
-  section.has("file") ? read_triangles(section, dimension, contact) : read_plane(section, dimension, contact);
+void read_motion(const Section& section, int dimension, ContactOptions& contact) {
   if (section.has("displacement"))
     for (const Expression& formula :
          section.formulas({"displacement", "motion of the wall, formulas of t"}, dimension, quantity::length,
@@ -71,6 +92,22 @@ ContactOptions read_contact(const Section& section, int dimension, const std::st
           section.fail("displacement", "it depends on the place", "a wall is rigid, and does not turn",
                        "write formulas of t");
     }
+}
+
+ContactOptions read_contact(const Section& section, const Scene& scene, const std::string& name) {
+  ContactOptions contact;
+  contact.wall = name;
+  read_between(section, scene, contact);
+  if (contact.of_bodies) {
+    for (const char* key : {"file", "point", "normal", "displacement"})
+      if (section.has(key))
+        section.fail(key, fmt::format("\"{}\" is a body", contact.wall),
+                     "only walls have a place of their own", "leave it out, or give the wall another name");
+  } else {
+    section.has("file") ? read_triangles(section, scene.dimension, contact)
+                        : read_plane(section, scene.dimension, contact);
+    read_motion(section, scene.dimension, contact);
+  }
   contact.stiffness =
       section.optional_number({"stiffness", "E* of Hertz; E/(1 - nu^2) of the body where it is left out"},
                               quantity::stress, Sign::positive);
@@ -80,8 +117,47 @@ ContactOptions read_contact(const Section& section, int dimension, const std::st
   return contact;
 }
 
+void refuse_another(const Section& section, const ContactOptions& contact, const ContactOptions& other) {
+  if (contact.of_bodies != other.of_bodies) return;
+  if (!contact.of_bodies) {
+    if (other.wall == contact.wall)
+      section.fail("between", fmt::format("a second wall \"{}\"", contact.wall),
+                   "results are listed by name");
+    return;
+  }
+  if ((contact.body == other.body && contact.wall == other.wall) ||
+      (contact.body == other.wall && contact.wall == other.body))
+    section.fail("between", fmt::format("a second contact of \"{}\" and \"{}\"", contact.body, contact.wall),
+                 "two bodies touch in one way", "leave one of them out");
+  if (contact.stiffness != other.stiffness)
+    section.fail("stiffness", "another one than of the contact before",
+                 "all bodies have one material and one E*", "give both the same, or none");
+}
+
 double modulus_of(const ContactOptions& contact, const MaterialChoice& material) {
   return contact.stiffness.value_or(material.young / (1 - material.poisson * material.poisson));
+}
+
+/// What belongs to one body, in a scene of several.
+void refuse_beside_bodies(const Section& root, const Scene& scene) {
+  const Section first = root.sections("body").front();
+  const auto node = [](const Body& body) { return body.layout != Layout::cell; };
+  if (node(scene.body) || std::any_of(scene.others.begin(), scene.others.end(), node))
+    first.fail("layout", "several bodies whose particles are on their surface",
+               "bodies that touch would have particles at one place",
+               "use layout = \"cell\" for all of them");
+  for (const Boundary& boundary : scene.boundaries)
+    if (boundary.face || is_load(boundary.kind)) {
+      const Section section = root.sections("boundary").front();
+      if (boundary.face)
+        section.fail("face", "beside several bodies", "it is a face of the box around one body",
+                     "use where = \"..\"");
+      section.fail("kind", "a load on the surface beside several bodies", "their surface is not known",
+                   "use [load]");
+    }
+  if (scene.initial && scene.initial->spin)
+    root.section("initial").fail("spin", "beside several bodies", "it is about the centre of one body",
+                                 "use velocity, with a formula of X for each of them");
 }
 
 template <int d>
@@ -100,48 +176,82 @@ std::function<BesideSurface<d>(const Vec<d>&)> wall_surface(const ContactOptions
 
 }  // namespace
 
-std::vector<ContactOptions> read_contacts(const Section& root, int dimension) {
+std::vector<ContactOptions> read_contacts(const Section& root, const Scene& scene) {
   std::vector<ContactOptions> contacts;
-  for (const Section& section :
-       root.sections({"contact", "rigid walls, planes or closed surfaces of triangles, one section each"})) {
+  for (const Section& section : root.sections(
+           {"contact",
+            "rigid walls (planes or closed surfaces of triangles) and pairs of bodies, one section each"})) {
     const std::string name = contacts.empty() ? "wall" : fmt::format("wall {}", contacts.size() + 1);
-    ContactOptions contact = read_contact(section, dimension, name);
-    if (std::any_of(contacts.begin(), contacts.end(),
-                    [&](const ContactOptions& other) { return other.wall == contact.wall; }))
-      section.fail("between", fmt::format("a second wall \"{}\"", contact.wall),
-                   "results are listed by name");
+    ContactOptions contact = read_contact(section, scene, name);
+    for (const ContactOptions& other : contacts) refuse_another(section, contact, other);
     contacts.push_back(std::move(contact));
   }
   return contacts;
 }
 
 void refuse_walls(const Section& root, const Scene& scene) {
-  if (scene.contacts.empty()) return;
-  const Section section = root.sections("contact").front();
+  if (scene.contacts.empty() && scene.others.empty()) return;
+  const Section section = root.sections(scene.contacts.empty() ? "body" : "contact").front();
   const std::string& scheme = scene.method.scheme;
   if (scheme != "updated" && scheme != "eulerian")
     section.fail("", fmt::format("contradicts scheme = \"{}\"", scheme), "that scheme has no contact",
-                 "use scheme = \"updated\" or \"eulerian\", or [[boundary]]");
+                 scene.others.empty() ? "use scheme = \"updated\" or \"eulerian\", or [[boundary]]"
+                                      : "use scheme = \"updated\" or \"eulerian\", or one [body]");
   if (scheme == "updated" && !scene.method.updated.conservative())
     section.fail("", "contradicts balance = \"printed\"", "its geometry may be that of steps before",
                  "use [updated] balance = \"conservative\"");
+  if (!scene.others.empty()) refuse_beside_bodies(root, scene);
+}
+
+TouchOptions touch_of_scene(const Scene& scene) {
+  TouchOptions touch;
+  const std::size_t bodies = scene.others.size() + 1;
+  for (const ContactOptions& contact : scene.contacts) {
+    if (!contact.of_bodies) continue;
+    touch.modulus = contact.stiffness;
+    if (contact.friction == 0) continue;
+    touch.friction.resize(bodies * bodies, 0.0);
+    const auto a = static_cast<std::size_t>(body_number(scene, contact.body)),
+               b = static_cast<std::size_t>(body_number(scene, contact.wall));
+    touch.friction[a * bodies + b] = touch.friction[b * bodies + a] = contact.friction;
+  }
+  return touch;
+}
+
+Statement bodies_of(const Scene& scene) {
+  std::string names = scene.body.name;
+  for (const Body& body : scene.others) names += ", " + body.name;
+  return {
+      "bodies",
+      fmt::format("{} ({}): their sums do not see each other; where they touch a penalty presses them apart",
+                  scene.others.size() + 1, names),
+      "THEORY (19.3)-(19.5)"};
 }
 
 Statement said_of(const ContactOptions& contact, const MaterialChoice& material) {
-  return {"contact",
-          fmt::format("\"{}\", {}{}: Hertz with E* = {:.6g} Pa, {}", contact.wall,
-                      contact.corners.empty() ? "a half-space"
-                                              : fmt::format("{} triangles", contact.corners.size() / 9),
-                      contact.displacement.empty() ? "" : " that moves", modulus_of(contact, material),
-                      contact.friction > 0 ? fmt::format("friction {:g}", contact.friction) : "no friction"),
-          "THEORY (19.1), (19.2)"};
+  const std::string friction =
+      contact.friction > 0 ? fmt::format("friction {:g}", contact.friction) : "no friction";
+  if (contact.of_bodies)
+    return {"contact",
+            fmt::format("\"{}\" and \"{}\": penalty with E* = {:.6g} Pa, {}", contact.body, contact.wall,
+                        modulus_of(contact, material), friction),
+            "THEORY (19.3)-(19.6)"};
+  return {
+      "contact",
+      fmt::format(
+          "\"{}\", {}{}: Hertz with E* = {:.6g} Pa, {}", contact.wall,
+          contact.corners.empty() ? "a half-space" : fmt::format("{} triangles", contact.corners.size() / 9),
+          contact.displacement.empty() ? "" : " that moves", modulus_of(contact, material), friction),
+      "THEORY (19.1), (19.2)"};
 }
 
 template <int d>
 std::vector<RigidWall<d>> walls_of_scene(const Scene& scene, double spacing) {
   std::vector<RigidWall<d>> walls;
   for (const ContactOptions& contact : scene.contacts) {
+    if (contact.of_bodies) continue;
     RigidWall<d> wall;
+    if (!contact.body.empty()) wall.body = body_number(scene, contact.body);
     wall.name = contact.wall;
     wall.beside = wall_surface<d>(contact);
     if (!contact.displacement.empty())

@@ -23,6 +23,7 @@ struct RigidWall {
   double modulus = 0;                               ///< E* of Hertz [Pa]
   double friction = 0;                              ///< Coulomb's coefficient
   double reach = 0;  ///< distance from a particle to the surface of its body [m]
+  int body = -1;     ///< the one that touches it; -1: all do
 };
 
 /// A half-space: `point` lies on its surface, `normal` points out of it and has length 1.
@@ -53,7 +54,10 @@ class Contact {
   /// Particles at X [m] before any motion, with their masses [kg] and the radius of their spheres [m].
   Contact(std::vector<RigidWall<d>> walls, std::vector<Vec<d>> X, std::vector<double> mass, double radius);
 
-  bool empty() const { return walls_.empty(); }
+  /// Tells whose the particles are, which forces of their own act between bodies, and a step [s] that those are stable with.
+  void meet(std::vector<int> body, double step_limit);
+  /// Whether neither walls nor other bodies are there.
+  bool empty() const { return walls_.empty() && body_.empty(); }
   const std::vector<RigidWall<d>>& walls() const { return walls_; }
   /// Components of the field of anchors: where, in the frame of each wall with friction, the spring along it begins [m].
   int anchor_components() const { return d * rough_; }
@@ -62,7 +66,9 @@ class Contact {
   /// Finds the forces at the positions x [m] and a time [s], adds their accelerations to a field, and drags the anchors of
   /// what slides along.
   void add(double time, const std::vector<Vec<d>>& x, Field& anchors, Field& v_rate);
-  /// The forces that add() found, over the mass of each particle [m/s^2].
+  /// Adds the accelerations of forces between bodies to what add() found, and to a field.
+  void add_between(const Field& acceleration, Field& v_rate);
+  /// The forces that add() and add_between() found, over the mass of each particle [m/s^2].
   const Field& acceleration() const { return acceleration_; }
   /// The sum of the forces of one wall on the body, as add() found them [N].
   const Vec<d>& force(std::size_t wall) const { return total_[wall]; }
@@ -78,7 +84,8 @@ class Contact {
   std::vector<Vec<d>> X_, force_, total_;
   std::vector<double> mass_;
   double radius_ = 0, step_limit_ = 0;
-  int rough_ = 0;  ///< walls with friction
+  int rough_ = 0;          ///< walls with friction
+  std::vector<int> body_;  ///< of each particle; empty: there is one
   Field acceleration_;
 };
 
@@ -134,6 +141,21 @@ Contact<d>::Contact(std::vector<RigidWall<d>> walls, std::vector<Vec<d>> X, std:
 }
 
 template <int d>
+void Contact<d>::meet(std::vector<int> body, double step_limit) {
+  body_ = std::move(body);
+  step_limit_ = std::min(step_limit_, step_limit);
+}
+
+template <int d>
+void Contact<d>::add_between(const Field& acceleration, Field& v_rate) {
+  for (int k = 0; k < d; ++k)
+    for (Index i = 0; i < count(); ++i) {
+      acceleration_[k][i] += acceleration[k][i];
+      v_rate[k][i] += acceleration[k][i];
+    }
+}
+
+template <int d>
 void Contact<d>::start(const Field& u, Field& anchors) const {
   int first = 0;
   for (const RigidWall<d>& wall : walls_) {
@@ -176,7 +198,8 @@ void Contact<d>::add(double time, const std::vector<Vec<d>>& x, Field& anchors, 
     const bool rough = wall.friction > 0;
     for_particles(count(), [&](Index i) {
       Vec<d> anchor = rough ? anchor_of<d>(anchors, first, i) : Vec<d>(Vec<d>::Zero());
-      force_[i] = force_on(wall, x[i] - shift, rough ? &anchor : nullptr);
+      const bool other = wall.body >= 0 && !body_.empty() && body_[i] != wall.body;
+      force_[i] = other ? Vec<d>(Vec<d>::Zero()) : force_on(wall, x[i] - shift, rough ? &anchor : nullptr);
       if (rough) set_anchor<d>(anchors, first, i, anchor);
       for (int k = 0; k < d; ++k) acceleration_[k][i] += force_[i][k] / mass_[i];
     });

@@ -52,7 +52,7 @@ class OutsideForces {
   OutsideForces(const Actions<d>& actions, const Cloud<d>& cloud, const Slots& slots, const Medium& medium);
 
   /// Lets the body meet walls.
-  void touch(Contact<d> contact);
+  void touch(Contact<d> contact);  // and other bodies
   const Contact<d>& contact() const { return contact_; }
 
   /// Keeps also what a budget needs of each step; what changes() has then is that of the last one.
@@ -76,6 +76,8 @@ class OutsideForces {
   void add_contact(double time, const std::vector<Vec<d>>& x, Field& anchors, Field& v_rate) {
     if (!contact_.empty()) contact_.add(time, x, anchors, v_rate);
   }
+  /// Adds the accelerations by forces between bodies; after add_contact().
+  void add_between(const Field& acceleration, Field& v_rate) { contact_.add_between(acceleration, v_rate); }
   /// Gives the rates of held components their prescribed values. `weight` [s] is the share that the velocity
   /// at the end of the step has of these rates; 0: they do not count.
   void hold(double time, double weight, const Field& v, Field& v_rate, Field& u_rate);

@@ -98,6 +98,17 @@ class PairRow {
     return whole;
   }
 
+  /// sum weight (S_i + S_j) r_ij: over V_i the force of an adjoint pair of sums, with S of each particle.
+  Vec<d> adjoint_sum(const std::vector<Mat<d>>& S, Index i) const {
+    Vec<d> sum = Vec<d>::Zero(), own = Vec<d>::Zero();
+    for (Index m = 0; m < count; ++m) {
+      const Vec<d> wr = weight[m] * r_of(m);
+      own += wr;
+      sum += S[other[m]] * wr;
+    }
+    return sum + S[i] * own;
+  }
+
   /// Fills per_r and the speed at which each pair opens, times its distance: v_ij . r_ij [m^2/s].
   void find_openings() {
 #pragma omp simd

@@ -9,18 +9,23 @@ namespace plumb {
 
 template <int d>
 Eulerian<d>::Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions,
-                      double damping, std::vector<RigidWall<d>> walls)
+                      double damping, std::vector<RigidWall<d>> walls, const TouchOptions& touch)
     : specimen_(std::move(specimen)),
       options_(std::move(options)),
       law_(specimen_.law, specimen_.elastic, true, true, std::nullopt, name),
       h_(options_.beta * specimen_.cloud.spacing),
       kernel_(h_),
-      neighbours_(2 * h_, options_.skin * specimen_.cloud.spacing) {
+      neighbours_(2 * h_, options_.skin * specimen_.cloud.spacing, specimen_.cloud.body, PairsOf::one_body) {
   const Cloud<d>& cloud = specimen_.cloud;
   const Index n = cloud.size();
   outside_ = OutsideForces<d>(actions, cloud, Slots{n, 0, 0, 1}, {law_.density, damping});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
-  if (!walls.empty()) outside_.touch({std::move(walls), cloud.X, mass_, cloud.spacing / 2});
+  if (!cloud.body.empty()) touching_ = touching_bodies<d>(cloud, specimen_.elastic, touch);
+  if (!walls.empty() || touching_) {
+    Contact<d> contact(std::move(walls), cloud.X, mass_, cloud.spacing / 2);
+    if (touching_) contact.meet(cloud.body, touching_->step_limit(mass_));
+    outside_.touch(std::move(contact));
+  }
   x_ = cloud.X;
   v_.assign(x_.size(), Vec<d>::Zero());
   half_ = sum_ = v_;
@@ -61,6 +66,8 @@ EulerianState<d> Eulerian<d>::make_state() const {
   state.before = make_field(d * d);
   state.volume = make_field(1);
   state.anchors = make_field(outside_.contact().anchor_components());
+  if (touching_) state.between = make_field(d);
+  if (touching_ && touching_->rough()) state.slip = make_field(d);
   return state;
 }
 
@@ -107,6 +114,7 @@ EulerianState<d> Eulerian<d>::start(const InitialMotion<d>& motion) {
   std::fill(extra_.begin(), extra_.end(), Mat<d>::Zero());
   sum_up();
   find_forces(state);
+  press_bodies(state, 0);
   return state;
 }
 
@@ -172,7 +180,8 @@ void Eulerian<d>::rebuild_reference(const State& state) {
     V[i] = state.volume[0][i];
   }
   // neighbours that are found at the reference, so that the next search comes when it would have come
-  neighbours_ = MovingNeighbours<d>(2 * h_, options_.skin * specimen_.cloud.spacing);
+  neighbours_ = MovingNeighbours<d>(2 * h_, options_.skin * specimen_.cloud.spacing, specimen_.cloud.body,
+                                    PairsOf::one_body);
   neighbours_.update(x);
   ++searches_;
   reference_.emplace(std::move(x), std::move(V), neighbours_.list(), kernel_);

@@ -10,6 +10,7 @@
 #include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
+#include "lib/schemes/touching_bodies.hpp"
 
 namespace plumb {
 
@@ -22,10 +23,11 @@ class Eulerian {
   using Options = EulerianOptions;
   using State = EulerianState<d>;
 
-  /// `damping`: rate [1/s], THEORY (6.7); `walls`: what the body may touch. InputError where the neighbours of a particle do not span the space,
+  /// `damping`: rate [1/s], THEORY (6.7); `walls`: what the body may touch; `touch`: how the bodies of the cloud press on each
+  /// other. InputError where the neighbours of a particle do not span the space,
   /// two particles are at one place, or the law has no rates.
   Eulerian(Specimen<d> specimen, EulerianOptions options, const Actions<d>& actions, double damping = 0,
-           std::vector<RigidWall<d>> walls = {});
+           std::vector<RigidWall<d>> walls = {}, const TouchOptions& touch = {});
 
   /// At rest in the reference where the motion has no entries. A displacement gives stress and density of the
   /// deformation that it is.
@@ -88,6 +90,8 @@ class Eulerian {
   void diffuse(const State& state);
   /// The body's own forces at x_ with the velocities v_, and the acceleration that follows.
   void find_forces(State& state);
+  /// Forces between bodies at x_, which have moved with v_ and A_ for the time `apart` [s] since the last call.
+  void press_bodies(State& state, double apart);
   /// Takes the accelerations of a state with its loads and walls to kick_; the loads alone are outside_.loads().
   void add_outside(const State& state, Field& anchors);
   /// Moves next_.v on by half a step with the forces, loads and supports of a state.
@@ -103,6 +107,7 @@ class Eulerian {
   EulerianOptions options_;
   RateLaw<d> law_;
   OutsideForces<d> outside_;
+  std::optional<TouchingBodies<d>> touching_;
   double h_;
   SplinePairs<d> kernel_;
   MovingNeighbours<d> neighbours_;

@@ -132,6 +132,21 @@ void Eulerian<d>::find_forces(State& state) {
   });
 }
 
+/// Also the couples that friction puts on the stress, by the adjoint force: THEORY (19.6).
+template <int d>
+void Eulerian<d>::press_bodies(State& state, double apart) {
+  if (!touching_) return;
+  touching_->find(x_, {v_, A_, apart}, state.slip);
+  const std::vector<Vec<d>>& forces = touching_->forces();
+  const auto* couples = touching_->couples();
+  if (couples) for_particles(count(), [&](Index i) { S_[i] = (*couples)[i] / V_[i] * L_[i]; });
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) {
+    Vec<d> force = forces[i];
+    if (couples) force += V_[i] * row.adjoint_sum(S_, i);
+    set_vector<d>(state.between, i, force / mass_[i]);
+  });
+}
+
 template <int d>
 void Eulerian<d>::add_outside(const State& state, Field& anchors) {
   kick_ = state.acceleration;
@@ -139,6 +154,7 @@ void Eulerian<d>::add_outside(const State& state, Field& anchors) {
   if (outside_.contact().empty()) return;
   for_particles(count(), [&](Index i) { x_[i] = specimen_.cloud.X[i] + vector_at<d>(state.u, i); });
   outside_.add_contact(state.time, x_, anchors, kick_);
+  if (touching_) outside_.add_between(state.between, kick_);
 }
 
 template <int d>
@@ -157,6 +173,7 @@ std::optional<OpenAcceleration> Eulerian<d>::open(const State& state, bool still
     singular_ = singular;
     next_ = state;
     find_forces(next_);
+    press_bodies(next_, 0);
   }
   next_.anchors = state.anchors;
   add_outside(still ? next_ : state, next_.anchors);
@@ -169,6 +186,7 @@ std::optional<OpenAcceleration> Eulerian<d>::open(const State& state, bool still
   template void Eulerian<d>::hourglass_forces(EulerianState<d>&);                  \
   template void Eulerian<d>::viscous_forces(EulerianState<d>&);                    \
   template void Eulerian<d>::find_forces(EulerianState<d>&);                       \
+  template void Eulerian<d>::press_bodies(EulerianState<d>&, double);              \
   template void Eulerian<d>::add_outside(const EulerianState<d>&, Field&);         \
   template std::optional<OpenAcceleration> Eulerian<d>::open(const EulerianState<d>&, bool);
 PLUMBLINE_INSTANTIATE(1)

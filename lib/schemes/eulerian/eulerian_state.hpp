@@ -34,6 +34,8 @@ struct EulerianState {
   Field before;        ///< F of that reference, d x d: F_init of (30)
   Field volume;        ///< of that reference [m^d]
   Field anchors;       ///< of friction at walls, in the frame of each [m]
+  Field slip;          ///< that springs between rough bodies bear [m]
+  Field between;       ///< acceleration by forces between bodies [m/s^2]
   WorkByCause work;
   OutsideWork outside = {};
   double time = 0;  ///< [s]
@@ -58,6 +60,8 @@ struct EulerianState {
     some({"deformation gradient of the reference", "", Role::history}, before);
     some({"volume of the reference", "m^d", Role::history}, volume);
     some({"anchors of friction", "m", Role::history}, anchors);
+    some({"slip between bodies", "m", Role::history}, slip);
+    some({"acceleration between bodies", "m/s^2", Role::history}, between);
   }
 
   /// Numbers of the whole body: visit(name, value).

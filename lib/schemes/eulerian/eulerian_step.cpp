@@ -118,6 +118,7 @@ std::optional<Trouble> Eulerian<d>::advance(State& state, double dt) {
   next_.outside = state.outside;
   next_.v = state.v;
   next_.anchors = state.anchors;
+  next_.slip = state.slip;
   outside_.begin_step(dt, next_.v, next_.outside);
   const Field from = next_.v;
   kick(state, half);
@@ -142,6 +143,7 @@ std::optional<Trouble> Eulerian<d>::advance(State& state, double dt) {
   next_.time = time;
   next_.step = state.step + 1;
   find_forces(next_);
+  press_bodies(next_, dt);
   kick(next_, half);
   outside_.impose(time, unused_, next_.v);
   count_work(state, from, half);

@@ -42,6 +42,18 @@ void Updated<d>::stretch_bonds(const State& state, const PairHistory& before, do
   });
 }
 
+/// What the bonds of a particle add to its stress, since its velocity gradient is in their stretch: THEORY
+/// (17.11).
+template <int d>
+Mat<d> Updated<d>::reaction(const PairHistory& bonds, const PairRow<d>& row) const {
+  Mat<d> sum = Mat<d>::Zero();
+  for (Index m = 0; m < row.count; ++m) {
+    const Vec<d> r = row.r_of(m);
+    sum += (row.weight[m] * bonds.value[row.place[m]] / row.distance[m]) * r * r.transpose();
+  }
+  return 0.5 * bond_modulus() * sum;
+}
+
 /// Force on every particle at x_ [N], THEORY (17.6): S_ holds sigma B. Without dissipation
 /// impedance_ is not read.
 template <int d>
@@ -67,19 +79,42 @@ void Updated<d>::conservative_forces(const PairHistory& bonds, bool dissipates) 
   });
 }
 
+/// Accelerations by forces between bodies, and by the couples that friction puts on the stress: THEORY (19.6).
 template <int d>
-void Updated<d>::balance(double time, bool still) {
-  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) { M_[i] = row.minus_sum(row.r); });
+void Updated<d>::press_bodies(const State& state, double apart) {
+  for_particles(count(), [&](Index i) { S_[i] = tensor_at<d>(state.gradient, i); });
+  touching_->find(x_, {v_, S_, apart}, next_.slip);
+  const std::vector<Vec<d>>& forces = touching_->forces();
+  if (const auto* couples = touching_->couples()) {
+    for_particles(count(), [&](Index i) { S_[i] = (*couples)[i] / V_[i] * B_[i]; });
+    for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) {
+      set_vector<d>(between_, i, (forces[i] + V_[i] * row.adjoint_sum(S_, i)) / mass_[i]);
+    });
+  } else {
+    for_particles(count(), [&](Index i) { set_vector<d>(between_, i, forces[i] / mass_[i]); });
+  }
+  outside_.add_between(between_, acceleration_);
+}
+
+template <int d>
+void Updated<d>::balance(double time, bool still, const State& state, double apart) {
+  const bool bonds_are_shear = options_.form == "eno", reacts = options_.bonds_react();
+  for_rows(pairs(), Seen::positions, [&](Index i, const PairRow<d>& row) {
+    M_[i] = row.minus_sum(row.r);
+    if (reacts) S_[i] = reaction(next_.bonds, row);
+  });
   correct();
-  const bool bonds_are_shear = options_.form == "eno";
   for_particles(count(), [&](Index i) {
-    const Mat<d> pressure = law_.pressure(next_.density[0][i]) * Mat<d>::Identity();
-    S_[i] = (bonds_are_shear ? Mat<d>(-pressure) : Mat<d>(tensor_at<d>(next_.stress, i) - pressure)) * B_[i];
+    Mat<d> stress = -law_.pressure(next_.density[0][i]) * Mat<d>::Identity();
+    if (!bonds_are_shear) stress += tensor_at<d>(next_.stress, i);
+    if (reacts) stress += S_[i];
+    S_[i] = stress * B_[i];
   });
   conservative_forces(next_.bonds, !still && options_.dissipation != "none");
   for_particles(count(), [&](Index i) { set_vector<d>(acceleration_, i, force_[i] / mass_[i]); });
   outside_.add_loads(time, &next_.F, acceleration_);
   outside_.add_contact(time, x_, next_.anchors, acceleration_);
+  if (touching_) press_bodies(state, apart);
 }
 
 template <int d>
@@ -102,7 +137,8 @@ std::optional<OpenAcceleration> Updated<d>::open(const State& state, bool still)
     stretch_bonds(state, kept, 0.5 * state.last_step);
   }
   next_.anchors = state.anchors;
-  balance(state.time, still);
+  next_.slip = state.slip;
+  balance(state.time, still, state, 0.5 * state.last_step);
   return OpenAcceleration{acceleration_, outside_.loads()};
 }
 
@@ -125,7 +161,7 @@ std::optional<Trouble> Updated<d>::advance_conservative(State& state, double dt)
   for_particles(count(), [&](Index i) { x_[i] += 0.5 * dt * v_[i]; });
   neighbours_.update(x_);
   if (bond_modulus() > 0) next_.bonds.move_to(neighbours_.list());
-  balance(middle, false);
+  balance(middle, false, state, tau);
   outside_.hold(middle, dt, state.v, acceleration_, unused_);
   for_particles(count(), [&](Index i) {
     const Vec<d> v = v_[i] + dt * vector_at<d>(acceleration_, i);

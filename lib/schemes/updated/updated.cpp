@@ -10,14 +10,14 @@
 namespace plumb {
 template <int d>
 Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping,
-                    std::vector<RigidWall<d>> walls)
+                    std::vector<RigidWall<d>> walls, const TouchOptions& touch)
     : specimen_(std::move(specimen)),
       options_(std::move(options)),
       law_(specimen_.law, specimen_.elastic, options_.deviator == "plane-strain",
            options_.stress_update == "jaumann", options_.tension_limit),
       h_(options_.beta * specimen_.cloud.spacing),
       slope_(wendland_slope<d>(h_)),
-      neighbours_(2 * h_, options_.skin * specimen_.cloud.spacing) {
+      neighbours_(2 * h_, options_.skin * specimen_.cloud.spacing, specimen_.cloud.body, PairsOf::one_body) {
   require_consistent(options_);
   const Cloud<d>& cloud = specimen_.cloud;
   if (options_.geometry == "advection" && !options_.reference_speed)
@@ -34,7 +34,18 @@ Updated<d>::Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<
   const Index n = cloud.size();
   outside_ = OutsideForces<d>(actions, cloud, Slots{n, 0, 0, 1}, {law_.density, damping});
   for (const double V : cloud.V) mass_.push_back(law_.density * V);
-  if (!walls.empty()) outside_.touch({std::move(walls), cloud.X, mass_, cloud.spacing / 2});
+  if (!cloud.body.empty()) {
+    if (!options_.conservative())
+      throw InputError("several bodies with balance = \"printed\"",
+                       "its geometry may be that of steps before", "use balance = \"conservative\"");
+    touching_ = touching_bodies<d>(cloud, specimen_.elastic, touch);
+    between_ = make_field(d);
+  }
+  if (!walls.empty() || touching_) {
+    Contact<d> contact(std::move(walls), cloud.X, mass_, cloud.spacing / 2);
+    if (touching_) contact.meet(cloud.body, touching_->step_limit(mass_));
+    outside_.touch(std::move(contact));
+  }
   x_ = cloud.X;
   v_.assign(x_.size(), Vec<d>::Zero());
   force_ = v_;
@@ -69,6 +80,7 @@ UpdatedState<d> Updated<d>::make_state() const {
   state.plastic = make_field(static_cast<int>(law_.kept().size()));
   if (options_.dissipation != "none") state.heat = make_field(1);
   state.anchors = make_field(outside_.contact().anchor_components());
+  if (touching_ && touching_->rough()) state.slip = make_field(d);
   if (options_.conservative()) return state;
   state.density_rate = make_field(1);
   if (options_.has_bonds()) state.pull = make_field(d);
@@ -175,6 +187,7 @@ std::optional<Trouble> Updated<d>::advance(State& state, double dt) {
   if (auto trouble = load(state)) return trouble;
   next_.v = state.v;
   next_.anchors = state.anchors;
+  next_.slip = state.slip;
   next_.outside = state.outside;
   outside_.begin_step(dt, next_.v, next_.outside);
   if (outside_.damps()) for_particles(count(), [&](Index i) { v_[i] = vector_at<d>(next_.v, i); });

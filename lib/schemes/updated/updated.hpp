@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "lib/schemes/outside.hpp"
+#include "lib/schemes/pair_row.hpp"
 #include "lib/schemes/rate_law.hpp"
 #include "lib/schemes/scheme.hpp"
+#include "lib/schemes/touching_bodies.hpp"
 #include "lib/schemes/updated/pair_sums.hpp"
 #include "lib/schemes/updated/updated_options.hpp"
 #include "lib/schemes/updated/updated_state.hpp"
@@ -21,10 +23,11 @@ class Updated {
   using Options = UpdatedOptions;
   using State = UpdatedState<d>;
 
-  /// `damping`: rate [1/s], THEORY (6.7); `walls`: what the body may touch, conservative balance only. InputError where the neighbours of a particle do not span the space, two particles are at one place, or
+  /// `damping`: rate [1/s], THEORY (6.7); `walls`: what the body may touch; `touch`: how the bodies of the cloud press on each
+  /// other; both of the conservative balance only. InputError where the neighbours of a particle do not span the space, two particles are at one place, or
   /// the law does not go with the options.
   Updated(Specimen<d> specimen, UpdatedOptions options, const Actions<d>& actions, double damping = 0,
-          std::vector<RigidWall<d>> walls = {});
+          std::vector<RigidWall<d>> walls = {}, const TouchOptions& touch = {});
 
   /// At rest in the reference where the motion has no entries. A displacement gives stress and density of the
   /// deformation that it is.
@@ -86,10 +89,13 @@ class Updated {
   Moved at_end_of_step(const State& state, Index i) const;
   /// Stretches `before`, which belongs to the list of now, into the room of the next state.
   void stretch_bonds(const State& state, const PairHistory& before, double tau);
+  Mat<d> reaction(const PairHistory& bonds, const PairRow<d>& row) const;
   void conservative_forces(const PairHistory& bonds, bool dissipates);
   /// Accelerations at x_ by stress, density and pairs of the next state, and by loads and walls of that time; without
   /// dissipation if it is `still`.
-  void balance(double time, bool still);
+  /// `apart` [s]: how long velocities and gradients v_, L have slid bodies along each other since the last call.
+  void balance(double time, bool still, const State& state, double apart);
+  void press_bodies(const State& state, double apart);
   double bond_energy(const State& state);
 
   std::optional<Trouble> advance_printed(State& state, double dt);
@@ -102,6 +108,7 @@ class Updated {
   UpdatedOptions options_;
   RateLaw<d> law_;
   OutsideForces<d> outside_;
+  std::optional<TouchingBodies<d>> touching_;
   double h_;
   KernelSlope slope_;
   MovingNeighbours<d> neighbours_;
@@ -114,7 +121,7 @@ class Updated {
   std::vector<double> V_, impedance_, pressure_, yield_ratio_, heat_;
   std::vector<Mat<d>> M_, B_, S_;
   std::vector<std::int32_t> near_;
-  Field acceleration_, unused_;
+  Field acceleration_, between_, unused_;
   State next_;
 };
 

@@ -62,6 +62,9 @@ UpdatedOptions UpdatedOptions::read(const Section& section, UpdatedOptions o) {
   o.speed =
       section.choice_or({"speed", "of the step: pressure waves of the discrete body, or the bulk speed (23)"},
                         o.speed, {"pressure", "bulk"});
+  o.reaction = section.flag_or(
+      {"reaction", "of what the penalty does on the stress, so that its work is what it stores; of form gno"},
+      o.reaction);
   o.yield_ratio = section.flag_or(
       {"yield_ratio", "the penalty falls with the stress that plastic flow takes away"}, o.yield_ratio);
   if (section.has("misprints"))
@@ -116,6 +119,7 @@ std::string UpdatedOptions::in_words() const {
   if (rotation != "none") text += fmt::format(", {} rotation", rotation);
   if (geometry != "step") text += ", geometry of the last advection step";
   text += fmt::format(", dissipation {}, Wendland C2 with h = {:g} dp", dissipation, beta);
+  if (form == "gno" && conservative() && !reaction) text += ", penalty without reaction";
   if (has_bonds() && !yield_ratio) text += ", penalty without yield ratio";
   for (const std::string& equation : misprints) text += fmt::format(", ({}) with its misprint", equation);
   if (deviator != "plane-strain") text += ", deviator of two dimensions";

@@ -21,6 +21,7 @@ struct UpdatedOptions {
   std::string rotation = "none";        ///< of what has been summed up (34), (42): none | own | mean; printed
   std::string geometry = "step";        ///< new at every step | advection: frozen for the time (22); printed
   std::string dissipation = "riemann";  ///< riemann (17) | none
+  bool reaction = true;                 ///< stress that answers for the velocity gradients in the penalty
   bool yield_ratio = true;              ///< the penalty falls with the stress that a return takes away
   std::string deviator = "plane-strain";  ///< of strains in 2D: plane-strain | two-dimensional (8)
   std::string stress_update = "rotate";   ///< R s R^T | jaumann: dt (s Omega^T + Omega s) (8)
@@ -48,6 +49,7 @@ struct UpdatedOptions {
   }
   bool conservative() const { return balance == "conservative"; }
   bool has_bonds() const { return form != "og"; }  ///< a force between pairs that is summed up in time
+  bool bonds_react() const { return form == "gno" && conservative() && reaction && strength(2) > 0; }
   double strength(int d) const {
     return xi.value_or(form == "eno" ? (d == 2 ? 3.5 : 4.2) : 2.0) * (form == "eno" ? 2 : 1);
   }

@@ -24,6 +24,7 @@ struct UpdatedState {
   Field frozen;          ///< positions and volume of the last advection step; printed, geometry = advection
   PairHistory bonds;     ///< stretch of each pair that is not in the velocity gradient [m]; conservative
   Field anchors;         ///< of friction at walls, in the frame of each [m]
+  Field slip;            ///< that springs between rough bodies bear [m]
   double last_step = 0;  ///< [s]; 0: there was none
   double age = 0, life = 0;  ///< of the frozen geometry, so far and in all [s]
   OutsideWork outside = {};
@@ -47,6 +48,7 @@ struct UpdatedState {
     some({"force of pairs", "N", Role::history}, pull);
     some({"frozen geometry", "m", Role::history}, frozen);
     some({"anchors of friction", "m", Role::history}, anchors);
+    some({"slip between bodies", "m", Role::history}, slip);
   }
 
   /// What is kept of pairs: visit(name, history).

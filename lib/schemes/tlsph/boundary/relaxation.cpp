@@ -36,7 +36,7 @@ double norm(const Solid<d>& solid, const Field& f) {
 }
 
 template <int d>
-double largest(const Solid<d>& solid, const Field& a) {
+double largest_of(const Solid<d>& solid, const Field& a) {
   double most = 0;
   for (int k = 0; k < d; ++k)
     for (Index slot = 0; slot < solid.bonds.slots.count(); ++slot)
@@ -56,7 +56,7 @@ void add(const Solid<d>& solid, double factor, const Field& b, Field& a) {
 template <int d>
 double frequency(const Solid<d>& solid, const OpenForces<d>& forces, Workspace<d>& workspace, State<d> still,
                  Field open, const Field& v) {
-  const double speed = largest(solid, v);
+  const double speed = largest_of(solid, v);
   if (speed == 0) return 0;
   const double e = probing * solid.cloud.spacing / speed;
   add(solid, e, v, still.u);
