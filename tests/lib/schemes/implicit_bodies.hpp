@@ -64,6 +64,19 @@ Solid<d> elastic_body(const TableChoice& table, const LawChoice& law, double alp
   return solid;
 }
 
+/// A body with the operator of paper 004: quintic kernel, a support of its own for every particle, and the hourglass energy (21).
+template <int d>
+Solid<d> dual_body(Cloud<d> cloud, const std::vector<double>& radius, const std::string& law,
+                   const Elastic& elastic, double alpha = 0) {
+  BondOptions<d> options =
+      testing::options<d>({.estimator = "standard", .pair = Correction::none}, cloud.spacing);
+  options.kernel = kernel_named<d>("quintic");
+  use_own_supports(options, radius);
+  Solid<d> solid = make_solid<d>(std::move(cloud), law, elastic, options);
+  if (alpha > 0) add_term(solid, slope_hourglass_term(solid, options.kernel, alpha, radius));
+  return solid;
+}
+
 /// The energy of all unknowns.
 template <int d>
 DiscreteEnergy<d> energy_of_all(const Solid<d>& solid) {

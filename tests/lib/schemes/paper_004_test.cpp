@@ -198,6 +198,15 @@ TEST(Paper004, TheCorrectionIsNegativeDefinite) {
   EXPECT_LT(worst, 1e-13);  // F is exact for affine maps
 }
 
+/// L over its trace, and the weight -W' r of a neighbour over the sum of all over r^2: values of another program.
+TEST(Paper004, TheWeightsOfTheHourglassEnergyHaveTheirValues) {
+  const Printed p;
+  const Mat<2> L = p.L(8) / p.L(8).trace();
+  EXPECT_NEAR(L(0, 0), 0.44786832497249, 1e-13);
+  EXPECT_NEAR(L(0, 1), -0.024215197995195, 1e-13);
+  EXPECT_NEAR(p.slope(8, 9) / p.L(8).trace(), 4.419032223813, 1e-11);  // to its printed digits
+}
+
 /// P of (60) in the plane and D of (61), as printed and mended.
 Mat<2> stress(const Mat<2>& F, double lambda, double mu) {
   const double J = F.determinant();
