@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "lib/geometry/shape.hpp"
 #include "lib/scene/scene.hpp"
 #include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
@@ -13,6 +15,10 @@ Shape<d> shape_of(const Body& body);
 /// The surface of [body] around its particles.
 template <int d>
 Surface<d> surface_of(const Body& body, const Cloud<d>& cloud);
+
+/// Says where the cells of a graded body are halved; only for those that have body.finer.
+template <int d>
+std::function<bool(const Vec<d>&)> finer_of(const Body& body);
 
 /// Particles of [body].
 template <int d>
