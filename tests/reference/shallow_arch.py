@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A shallow arch with clamped ends under a force in its middle: bending and one thrust, solved exactly. Prints the two limit points
-that verification/scenes/shallow-arch.toml and tests/lib/scene/arc_length_scene_test.cpp expect.
+that verification/scenes/shallow-arch.toml expects.
 
 Half of it from the foot to the middle, x from 0 to a: EI v'''' + H v'' = H y0'' for the sinking v of y0 = h sin^2(pi x/(2 a)); v(0) = v'(0) = v'(a) = 0,
 EI v'''(a) = -P/2; the thrust is H = EA/a int (y0'^2 - y'^2)/2 dx, y = y0 - v. For each H that is a quadratic equation for P."""
