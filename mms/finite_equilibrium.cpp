@@ -4,23 +4,19 @@
 
 #include "lib/core/error.hpp"
 #include "lib/schemes/implicit/equilibrium.hpp"
+#include "mms/static_surface.hpp"
 
 namespace plumb::mms {
 namespace {
 
 /// The surface goes to its place, and the force grows, in one unit of time.
 template <int d>
-Actions<d> actions_of(const Cloud<d>& cloud, const Manufactured<d>& solution, double time) {
+Actions<d> actions_of(const Study& study, const Cloud<d>& cloud, const Manufactured<d>& solution,
+                      double time) {
   Actions<d> actions;
   Held<d> surface{"surface", {}, {}, false};
-  for (Index i = 0; i < cloud.size(); ++i)
-    for (int side = 0; side < d; ++side) {
-      const double from_low = cloud.X[i][side] - cloud.box.origin[side],
-                   from_high = cloud.box.size[side] - from_low;
-      if (std::min(from_low, from_high) > 1e-9 * cloud.spacing) continue;
-      for (int k = 0; k < d; ++k) surface.places.push_back({i, k, cloud.X[i]});
-      break;
-    }
+  for (const Index i : surface_particles<d>(study, solution, cloud))
+    for (int k = 0; k < d; ++k) surface.places.push_back({i, k, cloud.X[i]});
   surface.motion = [displacement = solution.motion, time](const Vec<d>& at, int component, double share) {
     const double u = displacement(at, time).displacement[component];
     return HeldMotion{share * u, u, 0};
@@ -37,12 +33,12 @@ Actions<d> actions_of(const Cloud<d>& cloud, const Manufactured<d>& solution, do
 }  // namespace
 
 template <int d>
-Eigen::VectorXd finite_equilibrium(TlsphBody<d>& body, const Manufactured<d>& solution, double time,
-                                   const ImplicitOptions& options) {
+Eigen::VectorXd finite_equilibrium(const Study& study, TlsphBody<d>& body, const Manufactured<d>& solution,
+                                   double time) {
   const Solid<d>& solid = body.solid;
   State<d> state = make_state(solid);
-  const auto result =
-      find_equilibrium<d>(solid, actions_of<d>(solid.cloud, solution, time), 1, options, state);
+  const auto result = find_equilibrium<d>(solid, actions_of<d>(study, solid.cloud, solution, time), 1,
+                                          study.method.implicit, state);
   if (!result.completed())
     throw InputError("no equilibrium is found", result.failure->in_words(), "take more [implicit] steps");
   Eigen::VectorXd u(d * solid.cloud.size());
@@ -51,11 +47,8 @@ Eigen::VectorXd finite_equilibrium(TlsphBody<d>& body, const Manufactured<d>& so
   return u;
 }
 
-template Eigen::VectorXd finite_equilibrium<1>(TlsphBody<1>&, const Manufactured<1>&, double,
-                                               const ImplicitOptions&);
-template Eigen::VectorXd finite_equilibrium<2>(TlsphBody<2>&, const Manufactured<2>&, double,
-                                               const ImplicitOptions&);
-template Eigen::VectorXd finite_equilibrium<3>(TlsphBody<3>&, const Manufactured<3>&, double,
-                                               const ImplicitOptions&);
+template Eigen::VectorXd finite_equilibrium<1>(const Study&, TlsphBody<1>&, const Manufactured<1>&, double);
+template Eigen::VectorXd finite_equilibrium<2>(const Study&, TlsphBody<2>&, const Manufactured<2>&, double);
+template Eigen::VectorXd finite_equilibrium<3>(const Study&, TlsphBody<3>&, const Manufactured<3>&, double);
 
 }  // namespace plumb::mms

@@ -10,6 +10,7 @@
 
 #include "lib/core/dimension.hpp"
 #include "lib/geometry/shaped_cloud.hpp"
+#include "lib/scene/make_cloud.hpp"
 #include "lib/scene/scheme_simulation.hpp"
 #include "lib/scene/simulation.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
@@ -121,7 +122,7 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
       return has_rings(study) ? polar_surface(cloud, domain.inner, domain.outer)
                               : clipped_surface<2>(cloud, annulus_shape(domain.inner, domain.outer));
   }
-  return box_surface<d>(cloud);
+  return study.body.holes.empty() ? box_surface<d>(cloud) : plumb::surface_of<d>(study.body, cloud);
 }
 
 template <int d>

@@ -101,8 +101,8 @@ StaticLevel run_level(const Study& study, const Manufactured<d>& solution, doubl
   level.spacing = spacing;
   const double time = end_time(study);
   if (finite(study)) {
-    measure_equilibrium(study, solid, finite_equilibrium(simulation, solution, time, study.method.implicit),
-                        solution, time, level);
+    measure_equilibrium(study, solid, finite_equilibrium(study, simulation, solution, time), solution, time,
+                        level);
     level.solve_s = cpu_now() - start - level.setup_s;
     return level;
   }
@@ -153,14 +153,14 @@ template <int d>
 StaticResult run_static_in(const Study& study, const StudyProgress& progress, Sitting& sitting) {
   const Manufactured<d> solution = solution_of<d>(study);
   const bool box = solution.domain.shape == Domain<d>::Shape::box;
-  if (study.body.layout != Layout::node || !(box || solution.still))
-    throw InputError("a static study needs particles on the surface of a box, or a solution at rest",
-                     "displacements are prescribed there",
-                     "Use layout = \"node\" and a solution on a box, or one that is at rest.");
-  if (finite(study) && solution.still)
-    throw InputError("scheme = \"implicit\" with a solution at rest",
-                     "those are of small strains, and some have tractions",
-                     "leave scheme out, or use a solution that moves: it is frozen at its time");
+  if (study.body.layout != Layout::node || !(box || solution.still || finite(study)))
+    throw InputError(
+        "a static study needs particles on the surface of a box, or a solution at rest",
+        "displacements are prescribed there",
+        "Use layout = \"node\" and a solution on a box, one that is at rest, or scheme = \"implicit\".");
+  if (!finite(study) && !study.body.holes.empty())
+    throw InputError("a linear static study of a body with holes", "their surface would be free",
+                     "Use scheme = \"implicit\", which displaces it.");
   StaticResult result;
   for (const double spacing : study.spacings) {
     result.levels.push_back(sitting.value<StaticLevel>(

@@ -64,8 +64,8 @@ struct StaticResult {
 
 /// The displacement of the solution at the study's end time as an equilibrium: exact displacements on the
 /// whole surface of the box, or, of a solution at rest, its tractions where it has them; -Div P inside, one linear solution with the stiffness assembled from the bond
-/// table. Scheme "implicit" makes it an equilibrium of finite strains, by Newton's method (THEORY (15.2)), at any amplitude, and there is
-/// no vibration. And the vibration next to the solution's, with the solution's own conditions on the faces. Linear,
+/// table. Scheme "implicit" makes it an equilibrium of finite strains, by Newton's method (THEORY (15.2)), at any amplitude, on the whole surface also of
+/// curved bodies and of solutions at rest, and there is no vibration. And the vibration next to the solution's, with the solution's own conditions on the faces. Linear,
 /// so the amplitude should be small: it is the relative modelling error. Node layout only; throws InputError
 /// otherwise. Expect::l2, h1 and stress_l2 are the declared orders. Each level is a part of the sitting;
 /// throws SittingEnded if that ends, after the level at hand.

@@ -1,5 +1,7 @@
 #include "mms/static_surface.hpp"
 
+#include <set>
+
 #include "lib/geometry/facets.hpp"
 #include "mms/level.hpp"
 
@@ -81,6 +83,18 @@ std::vector<Prescribed> surface_conditions(const Study& study, const Manufacture
 }
 
 template <int d>
+std::vector<Index> surface_particles(const Study& study, const Manufactured<d>& solution,
+                                     const Cloud<d>& cloud) {
+  std::set<Index> found;
+  const bool box = solution.domain.shape == Domain<d>::Shape::box;
+  for (Index i = 0; i < cloud.size() && box; ++i)
+    for_faces_at(cloud.box, cloud.X[i], [&](int, int) { found.insert(i); });
+  if (!box || !study.body.holes.empty())
+    for (const Facet<d>& facet : surface_of<d>(study, solution, cloud).facets) found.insert(facet.owner);
+  return {found.begin(), found.end()};
+}
+
+template <int d>
 std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain) {
   std::vector<Index> still;
   for (Index i = 0; i < cloud.size(); ++i)
@@ -94,10 +108,11 @@ std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain)
   return still;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                          \
-  template std::vector<Prescribed> surface_conditions<d>(const Study&, const Manufactured<d>&,            \
-                                                         const Cloud<d>&, double, const Eigen::VectorXd&, \
-                                                         Eigen::VectorXd&);                               \
+#define PLUMBLINE_INSTANTIATE(d)                                                                           \
+  template std::vector<Prescribed> surface_conditions<d>(const Study&, const Manufactured<d>&,             \
+                                                         const Cloud<d>&, double, const Eigen::VectorXd&,  \
+                                                         Eigen::VectorXd&);                                \
+  template std::vector<Index> surface_particles<d>(const Study&, const Manufactured<d>&, const Cloud<d>&); \
   template std::vector<Index> held_unknowns<d>(const Cloud<d>&, const Domain<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

@@ -16,6 +16,11 @@ std::vector<Prescribed> surface_conditions(const Study& study, const Manufacture
                                            const Cloud<d>& cloud, double time, const Eigen::VectorXd& u,
                                            Eigen::VectorXd& load);
 
+/// Returns the particles on the surface, ascending: those on the faces of the box, and those whose cells end at a curve.
+template <int d>
+std::vector<Index> surface_particles(const Study& study, const Manufactured<d>& solution,
+                                     const Cloud<d>& cloud);
+
 /// Returns the components that the faces of a box hold still.
 template <int d>
 std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain);

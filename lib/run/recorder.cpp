@@ -63,6 +63,7 @@ std::vector<std::string> Recorder<d>::columns(const Simulation<d>& simulation) c
   if (simulation.reactions)
     for (const auto& [boundary, force] : simulation.reactions())
       add_columns<d>(names, "reaction " + boundary, Units::force);
+  if (simulation.load_factor) names.emplace_back("load factor");
   return names;
 }
 
@@ -115,6 +116,7 @@ void Recorder<d>::record_series(const Simulation<d>& simulation) {
   }
   if (simulation.reactions)
     for (const auto& [boundary, force] : simulation.reactions()) add_values<d>(row, force);
+  if (simulation.load_factor) row.push_back(simulation.load_factor());
   series_->append(row);
 }
 

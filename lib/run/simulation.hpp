@@ -65,7 +65,9 @@ struct Simulation {
   /// Work of "loads", "damping" and "supports" so far [J], of those that there are; empty: not accounted for.
   std::function<std::vector<NamedEnergy>()> external_work;
   std::function<std::vector<BoundaryForce<d>>()> reactions;  ///< empty: the scheme does not say
-  bool has_other_work = false;                               ///< that external_work does not have
+  std::function<double()>
+      load_factor;              ///< that a path has found for the loads; empty: they are as they are given
+  bool has_other_work = false;  ///< that external_work does not have
   std::function<std::vector<Statement>()> account;  ///< what it solves; empty: `plumb explain` knows itself
   std::function<Counts()> counts;
   std::function<std::vector<ArrayEntry>()> arrays;

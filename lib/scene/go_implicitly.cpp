@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lib/actions/does_work.hpp"
 #include "lib/core/error.hpp"
+#include "lib/schemes/implicit/arc_length.hpp"
 #include "lib/schemes/implicit/energy_momentum.hpp"
 #include "lib/schemes/implicit/load_path.hpp"
 #include "lib/schemes/implicit/midpoint.hpp"
@@ -12,6 +15,12 @@
 namespace plumb {
 namespace {
 
+constexpr const char *load_field = "load factor", *step_field = "last step of the path";
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
 /// The body and its way, made when the first step is.
 template <int d>
 struct Way {
@@ -19,8 +28,19 @@ struct Way {
   double end_time;
   ImplicitOptions options;
   std::optional<LoadPath<d>> path;
+  std::optional<ArcLengthPath<d>> arc;
+  std::optional<SavedState>
+      restored;              ///< where an earlier part of the run had come to on its path by arc length
   double restored_step = 0;  ///< [s]: the load step that an earlier part of the run would have tried; 0: none
 
+  ArcLengthPath<d>& arc_path() {
+    if (arc) return *arc;
+    arc.emplace(body.energy(), body.actions(), options.tolerance);
+    if (restored)
+      arc->go_on_from({body.motion().u, field_named(restored->fields, load_field)->values.at(0), 0},
+                      vector_of(field_named(restored->fields, step_field)->values));
+    return *arc;
+  }
   LoadPath<d>& load_path() {
     if (!path) {
       path.emplace(body.energy(), body.actions(), end_time, options, body.motion());
@@ -108,6 +128,41 @@ void go_by_loads(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) 
   };
 }
 
+/// Steps along a path on which the size of the loads is found; times count the steps.
+template <int d>
+void go_by_arc_length(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way) {
+  simulation.control.energy_bound.reset();
+  simulation.control.fixed_step.reset();
+  simulation.has_other_work = true;
+  const double dt = way->options.first_step(way->end_time) * way->end_time;
+  simulation.steps.allowed = [dt] { return dt; };
+  simulation.steps.advance = [way, now = simulation.steps.now](double step) -> std::optional<Failure> {
+    const double particles = static_cast<double>(way->body.motion().u.size()) / d;
+    const auto next = way->arc_path().step(*way->options.arc_length * std::sqrt(particles));
+    if (!next)
+      return Failure{
+          now().time,   now().step, Cause::no_convergence,
+          std::nullopt, 1,          "no equilibrium at a thousandth of arc_length; residual over the forces"};
+    way->body.move({next->u, Eigen::VectorXd::Zero(next->u.size()), now().time + step, now().step + 1});
+    return std::nullopt;
+  };
+  simulation.steps.out_of_bounds = [](const RunRecord&) { return std::optional<Failure>(); };
+  simulation.reactions = [way] { return way->arc_path().reactions(); };
+  simulation.load_factor = [way] { return way->arc_path().point().load; };
+  simulation.save = [way, save = simulation.save] {
+    SavedState saved = save();
+    const Eigen::VectorXd last = way->arc_path().last_step();
+    saved.fields.push_back({load_field, 1, {way->arc_path().point().load}});
+    saved.fields.push_back({step_field, d, {last.data(), last.data() + last.size()}});
+    return saved;
+  };
+  simulation.restore = [way, restore = simulation.restore](const SavedState& saved) {
+    restore(saved);
+    if (field_named(saved.fields, load_field) && field_named(saved.fields, step_field)) way->restored = saved;
+    way->arc.reset();
+  };
+}
+
 /// Steps in time by a rule that make() makes when the first step is.
 template <class Rule, int d, class Make>
 void go_in_time(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& way, Make&& make) {
@@ -134,8 +189,8 @@ Statement said_of(const ImplicitOptions& options) {
 template <int d>
 void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene& scene) {
   refuse_what_it_has_not(scene);
-  const auto way =
-      std::make_shared<Way<d>>(Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, 0});
+  const auto way = std::make_shared<Way<d>>(
+      Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, {}, {}, 0});
   leave_out_accounts(simulation, way->body.actions());
   if (simulation.account)
     simulation.account = [account = simulation.account, said = said_of(scene.method.implicit)] {
@@ -162,6 +217,8 @@ void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene&
           return std::make_unique<EnergyMomentum<d>>(way->body.energy(), law, way->body.actions(), tolerance,
                                                      from);
         });
+  else if (scene.method.implicit.arc_length)
+    go_by_arc_length(simulation, way);
   else
     go_by_loads(simulation, way);
 }

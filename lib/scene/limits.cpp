@@ -33,7 +33,7 @@ std::vector<std::string> limits_of(const Scene& scene) {
         scene.material.poisson)};
   }
   const bool random = scene.body.cloud != "lattice";
-  if (random || scene.body.jitter > 0)
+  if (random || scene.body.finer || scene.body.jitter > 0)
     // report section compatible-evidence
     return {
         fmt::format("gradient = \"{}\" on {}: none of the tables but that of "
@@ -42,7 +42,8 @@ std::vector<std::string> limits_of(const Scene& scene) {
                     scene.method.gradient,
                     !scene.body.file.empty() ? "particles of a file"
                     : random                 ? "blue noise"
-                             : fmt::format("particles with jitter = {:g}", scene.body.jitter))};
+                    : scene.body.finer       ? "cells of two sizes"
+                                       : fmt::format("particles with jitter = {:g}", scene.body.jitter))};
   if (scene.body.layout != Layout::node || scene.method.momentum == "variational") return {};
   // plumb static with affine-patch: relative L2 error of u by momentum and gradient 0.008 to 0.010 at 5
   // spacings a side, 0.0013 to 0.0016 at 40, against 1e-15 of those recommended (a test repeats it)

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "lib/geometry/graded_lattice.hpp"
 #include "lib/geometry/shaped_cloud.hpp"
+#include "lib/scene/actions_of_scene.hpp"
 #include "lib/scene/cloud_file.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 
@@ -37,6 +39,11 @@ Shape<d> shape_of(const Body& body) {
 }
 
 template <int d>
+std::function<bool(const Vec<d>&)> finer_of(const Body& body) {
+  return [finer = *body.finer](const Vec<d>& X) { return finer.holds_at(coordinates_of(X)); };
+}
+
+template <int d>
 Cloud<d> make_cloud(const Body& body) {
   const Shape<d> shape = shape_of<d>(body);
   if constexpr (d > 1) {
@@ -49,6 +56,8 @@ Cloud<d> make_cloud(const Body& body) {
       return shaped_cloud<d>(
           shape, {*body.spacing, body.layout, body.cloud == "blue-noise", body.jitter, body.seed});
   }
+  if (body.finer)
+    return graded_lattice<d>(shape.box, *body.spacing, finer_of<d>(body), body.jitter, body.seed);
   Cloud<d> cloud = lattice<d>(shape.box, cells_of<d>(shape.box, *body.spacing), body.layout);
   return body.jitter > 0 ? jittered<d>(std::move(cloud), body.jitter, body.seed, body.layout) : cloud;
 }
@@ -91,8 +100,11 @@ template Shape<3> shape_of<3>(const Body&);
 template Cloud<1> make_cloud<1>(const Scene&);
 template Cloud<2> make_cloud<2>(const Scene&);
 template Cloud<3> make_cloud<3>(const Scene&);
+template std::function<bool(const Vec<1>&)> finer_of<1>(const Body&);
 template Cloud<1> make_cloud<1>(const Body&);
+template std::function<bool(const Vec<2>&)> finer_of<2>(const Body&);
 template Cloud<2> make_cloud<2>(const Body&);
+template std::function<bool(const Vec<3>&)> finer_of<3>(const Body&);
 template Cloud<3> make_cloud<3>(const Body&);
 template Surface<1> surface_of<1>(const Body&, const Cloud<1>&);
 template Surface<2> surface_of<2>(const Body&, const Cloud<2>&);

@@ -194,6 +194,21 @@ std::string read_name(const Section& section) {
   return section.text_or({"name", "what [[contact]] calls the body"}, "body");
 }
 
+/// Where cells have half the spacing.
+void read_finer(const Section& section, Body& body, int dimension) {
+  body.finer = section.formula(
+      {"finer", "condition on X, Y, Z: cells have half the spacing where it holds at their middle"},
+      dimension, quantity::number);
+  if (body.shape != "box" || !body.holes.empty() || body.cloud != "lattice")
+    section.fail("finer", "for a body that is no lattice in a box", "cells of a box are divided",
+                 "leave it out, or the shape, the holes and cloud");
+  if (body.layout != Layout::node)
+    section.fail(
+        "finer",
+        fmt::format("contradicts layout = \"{}\"", body.layout == Layout::mirror ? "mirror" : "cell"),
+        "particles are the corners of cells", "use layout = \"node\"");
+}
+
 /// Particles of a file. A shape, where one is given, bounds them.
 Body read_body_of_file(const Section& section, int dimension) {
   Body body;
@@ -280,6 +295,7 @@ Body read_body(const Section& section, int dimension, bool with_lattice) {
   body.seed = static_cast<std::uint64_t>(
       section.integer_or({"seed", "of the random numbers: the same seed gives the same cloud"},
                          static_cast<long>(body.seed), 0));
+  if (section.has("finer")) read_finer(section, body, given);
   if (with_lattice) resolve_lattice(section, body, given);
   section.reject_unknown();
   return body;

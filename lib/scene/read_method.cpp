@@ -106,20 +106,22 @@ void refuse_keys_of_tlsph(const Section& section, const std::string& scheme) {
                    "leave it out, or use scheme = \"tlsph\"");
 }
 
-/// "uniform" (0) or "nearest:12".
-long read_support(const Section& section) {
+/// "uniform", "spacing" (both 0) or "nearest:12".
+long read_support(const Section& section, bool& by_spacing) {
   const std::string
       given = section.text(
-          {"support", "\"uniform\", or \"nearest:12\": each particle's support reaches to that neighbour"}),
+          {"support",
+           "\"uniform\"; \"spacing\": beta times that around each particle; \"nearest:12\": each one's reaches to that neighbour"}),
       nearest = "nearest:";
-  if (given == "uniform") return 0;
+  by_spacing = given == "spacing";
+  if (given == "uniform" || by_spacing) return 0;
   long k = 0;
   const char* end = given.data() + given.size();
   const bool number = given.starts_with(nearest) && std::from_chars(given.data() + nearest.size(), end, k) ==
                                                         std::from_chars_result{end, {}};
   if (!number)
     section.fail("support", fmt::format("unknown support \"{}\"", given), "",
-                 "write \"uniform\", or \"nearest:12\" for the twelve nearest neighbours");
+                 "write \"uniform\", \"spacing\", or \"nearest:12\" for the twelve nearest neighbours");
   constexpr long least = 4;  // fewer cannot span the space once the farthest has no weight
   if (k < least)
     section.fail("support", fmt::format("{} neighbours do not make a gradient", k),
@@ -129,8 +131,10 @@ long read_support(const Section& section) {
 
 /// Kernels without correction, and supports of their own, have a table of one kind.
 void refuse_beside_plain_kernel(const Section& section, const Method& method) {
-  if (method.nearest > 0 && method.pair != "none")
-    section.fail("support", fmt::format("\"nearest\" contradicts pair = \"{}\"", method.pair),
+  if ((method.nearest > 0 || method.by_spacing) && method.pair != "none")
+    section.fail("support",
+                 fmt::format("\"{}\" contradicts pair = \"{}\"", method.by_spacing ? "spacing" : "nearest",
+                             method.pair),
                  "corrected kernels have one smoothing length", "use pair = \"none\"");
   if (method.nearest > 0 && section.has("beta"))
     section.fail("beta", "contradicts support = \"nearest\"", "supports follow from the number of neighbours",
@@ -176,7 +180,7 @@ Method read_method_section(const Section& root, const Body& body) {
   if (method.momentum == "variational" && method.gradient == "compatible")
     section->fail("momentum", R"("variational" contradicts gradient = "compatible")",
                   "a compatible table leaves nothing to correct", "use momentum = \"adjoint\"");
-  if (section->has("support")) method.nearest = read_support(*section);
+  if (section->has("support")) method.nearest = read_support(*section, method.by_spacing);
   refuse_beside_plain_kernel(*section, method);
   method.integrator =
       section->choice_or({"integrator", "the rule of the time steps"}, method.integrator, integrator_names());
@@ -212,6 +216,10 @@ std::vector<std::string> method_sections() {
 
 Method read_method(const Section& root, const Body& body) {
   Method method = read_method_section(root, body);
+  if (body.finer && has_own_body(method.scheme))
+    root.section("body").fail("finer", fmt::format("contradicts scheme = \"{}\"", method.scheme),
+                              "its sums and cells know one spacing",
+                              "use scheme = \"tlsph\" or \"implicit\", or leave it out");
   read_scheme(root, method);
   method.compatible = read_compatible(root, method);
   for_each_part(method, [&]<class Part>(std::optional<Part>& part) {
@@ -232,7 +240,6 @@ Method read_method(const Section& root, const Body& body) {
   if (method.pair == "none" && method.jst)
     root.section("jst").fail("", "contradicts pair = \"none\"", "its Laplacian has corrected kernels",
                              "leave it out");
-  if (method.hourglass) method.hourglass->nearest = method.nearest;
   return method;
 }
 

@@ -51,11 +51,12 @@ struct Body {
                                 ///< a box. A scene that was read always has them
   Layout layout =
       Layout::node;  ///< node: boundary conditions act where they are stated; cell is first order only there
-  double jitter = 0.0;         ///< random displacement of interior particles, as a fraction of d, in [0, 0.5)
-  std::uint64_t seed = 1;      ///< of the jitter: the same seed gives the same cloud
-  std::string file;            ///< particles come from there; empty: they fill the shape
-  std::vector<double> points;  ///< [m] of the file, as many numbers each as the dimension
-  std::vector<double> volumes;  ///< [m^d] of the file; empty: those of Voronoi cells within the shape
+  double jitter = 0.0;  ///< random displacement of interior particles, as a fraction of d, in [0, 0.5)
+  std::optional<Expression> finer;  ///< condition on X, Y, Z: cells have half the spacing where it holds
+  std::uint64_t seed = 1;           ///< of the jitter: the same seed gives the same cloud
+  std::string file;                 ///< particles come from there; empty: they fill the shape
+  std::vector<double> points;       ///< [m] of the file, as many numbers each as the dimension
+  std::vector<double> volumes;      ///< [m^d] of the file; empty: those of Voronoi cells within the shape
 };
 
 /// The body with spacing d [m] and the number of particles along each edge filled in.
@@ -99,6 +100,7 @@ struct Method {
   std::string pair =
       "W1";  ///< W1 | W0 | none: W1 meets 000 (5a), (5b), (9a), (9b) at every particle; none: W with L^-1
   long nearest = 0;  ///< support = "nearest:12": each particle's reaches to that neighbour; 0: beta, of all
+  bool by_spacing = false;  ///< support = "spacing": each particle's is beta times the spacing around it
   std::string gradient = "compatible";  ///< standard | improved | bond38 | compatible
   Compatible compatible;                ///< of gradient = "compatible" only
   std::string momentum =

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "lib/geometry/clipped_cells.hpp"
+#include "lib/geometry/graded_lattice.hpp"
 #include "lib/scene/actions_of_scene.hpp"
 #include "lib/scene/compatible_table.hpp"
 #include "lib/scene/initial_motion.hpp"
+#include "lib/scene/make_cloud.hpp"
 #include "lib/scene/scheme_simulation.hpp"
 #include "lib/scene/warnings.hpp"
 #include "lib/schemes/tlsph/bonds/own_supports.hpp"
@@ -69,6 +71,16 @@ Surface<d> guess_surface(Cloud<d>& cloud) {
   }
 }
 
+/// Radii of supports that each particle has for itself [m]; empty: all have the kernel's.
+template <int d>
+std::vector<double> own_radii(const Scene& scene, const Cloud<d>& cloud, const RadialKernel<d>& kernel) {
+  if (scene.method.nearest > 0) return support_radii(cloud, scene.method.nearest);
+  if (!scene.method.by_spacing || !scene.body.finer) return {};
+  std::vector<double> radius = graded_spacings<d>(cloud, finer_of<d>(scene.body));
+  for (double& r : radius) r *= scene.method.beta * kernel.support;
+  return radius;
+}
+
 /// Changes of an area vector beyond this [spacing^(d-1)] are larger than any area a particle has.
 constexpr double large_change = 3;
 
@@ -127,7 +139,8 @@ template <int d>
 TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surface<d>> surface) {
   refuse_own_body(scene);
   BondOptions<d> options = bond_options<d>(scene, cloud.spacing);
-  if (scene.method.nearest > 0) use_own_supports(options, support_radii(cloud, scene.method.nearest));
+  const std::vector<double> radius = own_radii<d>(scene, cloud, options.kernel);
+  if (!radius.empty()) use_own_supports(options, radius);
   TlsphBody<d> simulation;
   std::vector<std::string> warnings;
   if (needs_surface<d>(scene, cloud) && !surface) {
@@ -159,7 +172,8 @@ TlsphBody<d> make_tlsph(const Scene& scene, Cloud<d> cloud, std::optional<Surfac
   simulation.supports = supports_of(simulation.actions);
   set_initial_state(simulation.solid, scene, simulation.state);
   impose(simulation.solid, simulation.actions, simulation.state);
-  PartSite<d> site{simulation.solid, options.kernel, stability_limits(scene.method.integrator).real_axis};
+  PartSite<d> site{simulation.solid, options.kernel, stability_limits(scene.method.integrator).real_axis,
+                   radius};
   for_each_part(scene.method, [&](const auto& part) {
     if (part) part->add_to(site);
   });

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lib/core/error.hpp"
+#include "lib/schemes/implicit/supported.hpp"
 
 namespace plumb {
 namespace {
@@ -34,9 +35,12 @@ void require_constant(const Actions<d>& actions) {
 
 template <int d>
 ArcLengthPath<d>::ArcLengthPath(const StoredEnergy<d>& energy, const Actions<d>& actions, double tolerance)
-    : tolerance_(tolerance),
+    : actions_(actions),
+      tolerance_(tolerance),
       balance_(energy, actions, {0, 0}, Eigen::VectorXd::Zero(d * energy.cloud.size())) {
   require_constant(actions);
+  TangentSolver<d> solver(balance_, LinearSolver::direct);
+  require_support(balance_, solver);
   point_.u = Eigen::VectorXd::Zero(d * energy.cloud.size());
   const auto without = residual(point_.u, 0), with = residual(point_.u, 1);
   load_ = balance_.free_part(Eigen::VectorXd(*without - *with));
@@ -96,6 +100,24 @@ std::optional<ArcPoint> ArcLengthPath<d>::step(double length) {
     return next;
   }
   return std::nullopt;
+}
+
+template <int d>
+Eigen::VectorXd ArcLengthPath<d>::last_step() const {
+  return last_.size() > 0 ? balance_.whole(last_) : Eigen::VectorXd::Zero(point_.u.size());
+}
+
+template <int d>
+void ArcLengthPath<d>::go_on_from(const ArcPoint& point, const Eigen::VectorXd& last_step) {
+  point_ = point;
+  last_ = balance_.free_part(last_step);
+  if (last_.norm() == 0) last_.resize(0);
+}
+
+template <int d>
+std::vector<BoundaryForce<d>> ArcLengthPath<d>::reactions() {
+  const auto all = residual(point_.u, point_.load);
+  return all ? forces_of_supports<d>(actions_, *all) : std::vector<BoundaryForce<d>>();
 }
 
 template class ArcLengthPath<1>;

@@ -27,12 +27,19 @@ class ArcLengthPath {
   /// stays.
   std::optional<ArcPoint> step(double length);
   const ArcPoint& point() const { return point_; }
+  /// Returns the step of all unknowns that led there [m]; zero at the start.
+  Eigen::VectorXd last_step() const;
+  /// Goes on as another path that has come there by that step of all unknowns.
+  void go_on_from(const ArcPoint& point, const Eigen::VectorXd& last_step);
+  /// Returns what the supports do to the body there, boundary by boundary.
+  std::vector<BoundaryForce<d>> reactions();
 
  private:
   std::optional<ArcPoint> try_step(double length);
   /// The residual of all unknowns under that load; nullopt if some J is not positive.
   std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u, double load);
 
+  const Actions<d>& actions_;
   double tolerance_;
   Balance<d> balance_;
   Eigen::VectorXd load_;  ///< of the free unknowns, for load 1 [N]

@@ -1,6 +1,7 @@
 #include "lib/schemes/implicit/held_path.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -42,8 +43,20 @@ void put_held(const Actions<d>& actions, const PathPoint& at, const Eigen::Vecto
     }
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                   \
-  template std::vector<Index> held_unknowns<d>(const Actions<d>&); \
+template <int d>
+std::vector<BoundaryForce<d>> forces_of_supports(const Actions<d>& actions, Eigen::VectorXd residual) {
+  std::vector<BoundaryForce<d>> forces;
+  for (const Held<d>& held : actions.held) forces.push_back({held.name, Vec<d>::Zero()});
+  // of a component that two boundaries hold the later one has the force
+  for (std::size_t n = forces.size(); n-- > 0;)
+    for (const HeldPlace<d>& place : actions.held[n].places)
+      forces[n].force[place.component] += std::exchange(residual[d * place.particle + place.component], 0.0);
+  return forces;
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                                                    \
+  template std::vector<BoundaryForce<d>> forces_of_supports<d>(const Actions<d>&, Eigen::VectorXd); \
+  template std::vector<Index> held_unknowns<d>(const Actions<d>&);                                  \
   template void put_held<d>(const Actions<d>&, const PathPoint&, const Eigen::VectorXd&, Eigen::VectorXd&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "lib/actions/actions.hpp"
+#include "lib/actions/boundary_force.hpp"
 #include "lib/schemes/implicit/external_loads.hpp"
 
 namespace plumb {
@@ -16,5 +17,9 @@ std::vector<Index> held_unknowns(const Actions<d>& actions);
 template <int d>
 void put_held(const Actions<d>& actions, const PathPoint& at, const Eigen::VectorXd& start,
               Eigen::VectorXd& u);
+
+/// Returns the force of every boundary that holds the body [N], out of the residual of all unknowns.
+template <int d>
+std::vector<BoundaryForce<d>> forces_of_supports(const Actions<d>& actions, Eigen::VectorXd residual);
 
 }  // namespace plumb

@@ -8,6 +8,22 @@
 #include "lib/input/section.hpp"
 
 namespace plumb {
+namespace {
+
+void refuse_beside_arc_length(const Section& section, const ImplicitOptions& options) {
+  if (options.moves())
+    section.fail("arc_length", "contradicts dynamics", "it follows equilibria, without time",
+                 "leave one of them out");
+  if (options.time_step)
+    section.fail("time_step", "contradicts arc_length", "steps are as long as that says",
+                 "give the number of steps");
+  if (options.solver == LinearSolver::iterative)
+    section.fail("solver", "\"iterative\" contradicts arc_length",
+                 "conjugate gradients need a positive tangent, which there is not behind a limit point",
+                 "use solver = \"direct\"");
+}
+
+}  // namespace
 
 ImplicitOptions ImplicitOptions::read(const Section& section) {
   ImplicitOptions options;
@@ -19,6 +35,10 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
   options.steps = section.integer_or({"steps", "load steps to the end time"}, options.steps, 1);
   options.adaptive = section.flag_or(
       {"adaptive", "steps are halved on failure, and grow where Newton's method is quick"}, options.adaptive);
+  options.arc_length = section.optional_number(
+      {"arc_length",
+       "steps move the particles by that, root mean square, and the size of the loads is found"},
+      quantity::length, Sign::positive);
   options.tolerance = section.number_or({"tolerance", "residual relative to the forces"}, options.tolerance,
                                         quantity::number, Sign::positive);
   if (options.tolerance >= 1)
@@ -37,6 +57,7 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
     section.fail("solver", "\"iterative\" contradicts dynamics = \"energy-momentum\"",
                  "its tangent is not symmetric, and conjugate gradients need that",
                  "use solver = \"direct\", or dynamics = \"midpoint\"");
+  if (options.arc_length) refuse_beside_arc_length(section, options);
   section.reject_unknown();
   return options;
 }
@@ -50,6 +71,10 @@ std::string ImplicitOptions::in_words() const {
                        : trapezoid ? "trapezoidal rule"
                                    : "energy-momentum rule",
                        size, tolerance);
+  if (arc_length)
+    return fmt::format(
+        "equilibria on a path of loads that may fall, {} of {:g} m, residual {:g} of the forces", size,
+        *arc_length, tolerance);
   return fmt::format("equilibrium by Newton's method, {}{}, residual {:g} of the forces{}", size,
                      adaptive ? " (halved and grown as needed)" : "", tolerance,
                      solver == LinearSolver::iterative ? ", conjugate gradients" : "");

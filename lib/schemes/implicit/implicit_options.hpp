@@ -13,12 +13,14 @@ class Section;
 /// are made. It is the section [implicit] of a scene; without the section these are the defaults.
 struct ImplicitOptions {
   static constexpr std::string_view section = "implicit", subject = "steps",
-                                    theory = "THEORY (15.1) to (15.6), (15.12), (15.13)";
+                                    theory = "THEORY (15.1) to (15.6), (15.12) to (15.14)";
 
   long steps = 4;                   ///< load steps to the end time, if none has to be halved
   std::optional<double> time_step;  ///< [s]: gives the number of steps instead
   bool adaptive = true;             ///< steps are halved on failure, and grow where Newton's method is quick
-  double tolerance = 1e-10;         ///< residual relative to the forces
+  std::optional<double>
+      arc_length;            ///< [m]: steps move the particles by that (root mean square); the load is found
+  double tolerance = 1e-10;  ///< residual relative to the forces
   LinearSolver solver = LinearSolver::direct;  ///< with the tangent
   bool midpoint = false;                       ///< dynamics = "midpoint": steps in time instead of equilibria
   bool energy_momentum = false;                ///< dynamics = "energy-momentum": likewise, with exact energy

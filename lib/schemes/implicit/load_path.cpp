@@ -89,14 +89,8 @@ template <int d>
 std::vector<BoundaryForce<d>> LoadPath<d>::reactions(const BodyMotion& equilibrium) {
   balance_.move_to(at(equilibrium.time / end_time_));
   const auto residual = balance_.residual(equilibrium.u);
-  std::vector<BoundaryForce<d>> reactions;
-  if (!residual) return reactions;
-  for (const Held<d>& held : actions_.held) reactions.push_back({held.name, Vec<d>::Zero()});
-  Eigen::VectorXd left = *residual;  // of a component that two boundaries hold the later one has the force
-  for (std::size_t n = reactions.size(); n-- > 0;)
-    for (const HeldPlace<d>& place : actions_.held[n].places)
-      reactions[n].force[place.component] += std::exchange(left[d * place.particle + place.component], 0.0);
-  return reactions;
+  if (!residual) return {};
+  return forces_of_supports<d>(actions_, *residual);
 }
 
 template class LoadPath<1>;

@@ -261,7 +261,7 @@ TEST(SchemesTogether, APaperFillsInWhatIsNotGiven) {
   EXPECT_EQ(other.nearest, 12);
   EXPECT_EQ(other.hourglass->weight, "slope");
   EXPECT_EQ(other.hourglass->alpha, 5);
-  EXPECT_EQ(other.hourglass->nearest, 12);
+  EXPECT_TRUE(method_of("support = \"spacing\"\n").by_spacing);
   EXPECT_FALSE(method_of("[hourglass]\nalpha = 0\n").hourglass);
   EXPECT_EQ(method_of("[hourglass]\nweight = \"kernel\"\n").hourglass->weight, "kernel");
 }

@@ -60,7 +60,9 @@ Statement body_of(const Scene& scene, const TlsphBody<d>& simulation) {
       : scene.material.plane == Plane::stress ? " in plane stress"
                                               : " in plane strain",
       solid.cloud.size(), solid.cloud.spacing, name_of(scene.body.layout),
-      scene.body.jitter > 0 ? fmt::format(", moved at random by up to {:g} of that", scene.body.jitter) : "",
+      (scene.body.finer ? fmt::format(", half of that where {}", scene.body.finer->text()) : "") +
+          (scene.body.jitter > 0 ? fmt::format(", moved at random by up to {:g} of that", scene.body.jitter)
+                                 : ""),
       static_cast<double>(solid.bonds.pairs) / particles, solid.bonds.most_neighbours);
   return {"body", text, ""};
 }
@@ -70,7 +72,8 @@ Statement correction_of(const Scene& scene) {
     const std::string reach =
         scene.method.nearest > 0
             ? fmt::format(", in supports that reach to the {}th neighbour", scene.method.nearest)
-            : "";
+        : scene.method.by_spacing ? ", in supports of each particle's own spacing"
+                                  : "";
     return {"correction", "none: the kernel as it is, its gradient normalised by L^-1" + reach,
             "004 (10) to (12)"};
   }

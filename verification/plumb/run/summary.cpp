@@ -185,6 +185,7 @@ Json summary(const FinishedRun<d>& run) {
     for (const auto& [boundary, force] : run.simulation.reactions())
       json["reactions"][boundary] = list<d>(force);
   }
+  if (run.simulation.load_factor) json["load_factor"] = run.simulation.load_factor();
   json["probes"] = probes_json(run);
   if (!run.scene.exact.empty()) json["error"] = error_json(run);
   json["failure"] = failure_json(run.result.failure);

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <vector>
+
 #include "lib/kernel/kernel.hpp"
 #include "lib/schemes/tlsph/loops/solid.hpp"
 
@@ -10,6 +13,7 @@ struct PartSite {
   Solid<d>& solid;
   const RadialKernel<d>& kernel;
   double real_axis;  ///< the integrator's bound of lambda dt on the negative real axis, THEORY (6.5)
+  std::vector<double> radius = {};  ///< of each particle's support [m]; empty: that of the kernel
 
   /// Keeps the time step below `limit` [s].
   void limit_step(double limit) { solid.step_limit = std::min(solid.step_limit, limit); }

@@ -32,7 +32,7 @@ std::string HourglassOptions::in_words() const {
 template <int d>
 void HourglassOptions::add_to(PartSite<d>& site) const {
   if (weight == "slope")
-    add_term(site.solid, slope_hourglass_term(site.solid, site.kernel, alpha, nearest));
+    add_term(site.solid, slope_hourglass_term(site.solid, site.kernel, alpha, site.radius));
   else
     add_term(site.solid, hourglass_term(site.solid, site.kernel, alpha));
 }

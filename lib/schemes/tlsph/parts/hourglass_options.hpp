@@ -17,7 +17,6 @@ struct HourglassOptions {
   static constexpr std::string_view meaning = "hourglass energy of what no affine motion explains";
 
   std::string weight = "kernel";  ///< kernel | slope: W, or -W' r about the best affine motion (paper 004)
-  long nearest = 0;               ///< slope: supports reach to that neighbour; 0: the body's own. Not a key
   /// Dimensionless; the larger, the less alternating motion and the stiffer a coarse bend. 2 completes the
   /// columns of paper 003 and the plate of large amplitude at nu 0.495, THEORY chapter 12.
   double alpha = 2;

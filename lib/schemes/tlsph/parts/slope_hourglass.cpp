@@ -4,7 +4,6 @@
 
 #include "lib/schemes/gather.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
-#include "lib/schemes/tlsph/bonds/own_supports.hpp"
 #include "lib/schemes/tlsph/parts/hourglass_bonds.hpp"
 
 namespace plumb {
@@ -197,7 +196,8 @@ void set_functions(Term<d>& term, const std::shared_ptr<const SlopeBonds<d>>& bo
 
 template <int d>
 Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha,
-                             const std::vector<double>& radius) {
+                             std::vector<double> radius) {
+  if (radius.empty()) radius.assign(solid.cloud.X.size(), solid.smoothing_length * kernel.support);
   const auto bonds = std::make_shared<const SlopeBonds<d>>(slope_bonds(solid, kernel, alpha, radius));
   const auto gradient = std::make_shared<Field>(solid.make_field(d * d));
   const auto partial = std::make_shared<Field>(solid.make_field(d));
@@ -214,19 +214,9 @@ Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kerne
   return term;
 }
 
-template <int d>
-Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha,
-                             long nearest) {
-  const std::vector<double> radius =
-      nearest > 0 ? support_radii(solid.cloud, nearest)
-                  : std::vector<double>(solid.cloud.X.size(), solid.smoothing_length * kernel.support);
-  return slope_hourglass_term(solid, kernel, alpha, radius);
-}
-
 #define PLUMBLINE_INSTANTIATE(d)                                                            \
   template Term<d> slope_hourglass_term<d>(const Solid<d>&, const RadialKernel<d>&, double, \
-                                           const std::vector<double>&);                     \
-  template Term<d> slope_hourglass_term<d>(const Solid<d>&, const RadialKernel<d>&, double, long);
+                                           std::vector<double>);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -9,14 +9,10 @@ namespace plumb {
 ///   E = sum_i V_i alpha mu min_H sum_j w_ij |u_ij - H X_ij|^2 / r_ij^2,  w_ij = V_j W' r / sum V W' r.
 /// THEORY (12.3), (12.4). The H that it takes is the corrected gradient of that paper, whatever table the
 /// body has, so that it needs nothing of the table but its bonds. Its second derivative does not change.
-/// `nearest`: the support of each particle reaches to its neighbour of that number; 0: it is the body's.
+/// `radius`: of each particle's support [m]; empty: that of the kernel.
 /// alpha is the paper's: twice that of hourglass_term() on a cubic lattice.
 template <int d>
 Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha,
-                             long nearest);
-/// Makes the term with a support radius per particle [m].
-template <int d>
-Term<d> slope_hourglass_term(const Solid<d>& solid, const RadialKernel<d>& kernel, double alpha,
-                             const std::vector<double>& radius);
+                             std::vector<double> radius = {});
 
 }  // namespace plumb
