@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-const std::string scenes = PLUMBLINE_SOURCE_DIR "/verification/scenes/";
+const std::string scene_folder = PLUMBLINE_SOURCE_DIR "/verification/scenes/";
 /// Particles within half a spacing of the cylinder are held.
 const std::vector<std::string> coarse = {"body.spacing=0.0025",
                                          "boundary.0.where=(X + 0.05)^2 + (Y - 0.01)^2 < 0.05125^2"};
@@ -27,7 +27,7 @@ Index tip_of(const Snapshot<2>& shown) {
 
 /// CSM1: the relaxation ends where Newton's method does, near the published numbers.
 TEST(Flag, ComesToRestWhereItIsInEquilibrium) {
-  Scene scene = read_scene(scenes + "flag-at-rest.toml", coarse);
+  Scene scene = read_scene(scene_folder + "flag-at-rest.toml", coarse);
   auto rest = make_simulation<2>(scene).simulation;
   const Index tip = tip_of(rest.snapshot());
   RunRecord history;
@@ -52,7 +52,7 @@ TEST(Flag, ComesToRestWhereItIsInEquilibrium) {
 
 /// CSM3: period and amplitude of the first swing.
 TEST(Flag, SwingsAsPublished) {
-  Scene scene = read_scene(scenes + "flag-swinging.toml", coarse);
+  Scene scene = read_scene(scene_folder + "flag-swinging.toml", coarse);
   scene.end_time = 1;
   auto simulation = make_simulation<2>(scene).simulation;
   const Index tip = tip_of(simulation.snapshot());

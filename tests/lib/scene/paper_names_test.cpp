@@ -16,7 +16,7 @@ Scene block_with(const std::string& material, const std::string& after = "") {
       "block.toml");
 }
 
-std::string refusal(const std::string& material, const std::string& after = "") {
+std::string said_of_block(const std::string& material, const std::string& after = "") {
   try {
     block_with(material, after);
   } catch (const InputError& error) {
@@ -46,15 +46,15 @@ TEST(PaperNames, AreSecondKeysOfJohnsonAndCook) {
 }
 
 TEST(PaperNames, AreRefusedBesideTheOthers) {
-  EXPECT_NE(refusal(cook + "A = 3e8\nyield = 3e8\n").find("material.A: contradicts yield."),
+  EXPECT_NE(said_of_block(cook + "A = 3e8\nyield = 3e8\n").find("material.A: contradicts yield."),
             std::string::npos);
-  EXPECT_NE(refusal(cook + "A = 3e8\ndamage_2 = 1\ndamage = [1, 2, 3, 4, 5]\n")
+  EXPECT_NE(said_of_block(cook + "A = 3e8\ndamage_2 = 1\ndamage = [1, 2, 3, 4, 5]\n")
                 .find("material.damage: contradicts damage_2."),
             std::string::npos);
-  EXPECT_NE(refusal(cook + "A = 3e8\ndamage = [1, 2]\n").find("material.damage"), std::string::npos);
-  EXPECT_NE(refusal(cook + "A = 3e8\neta = 1.5\n").find("material.eta: 1.5 is too large."),
+  EXPECT_NE(said_of_block(cook + "A = 3e8\ndamage = [1, 2]\n").find("material.damage"), std::string::npos);
+  EXPECT_NE(said_of_block(cook + "A = 3e8\neta = 1.5\n").find("material.eta: 1.5 is too large."),
             std::string::npos);
-  EXPECT_NE(refusal("model = \"j2-logarithmic\"\nA = 3e8\n").find("yield"), std::string::npos);
+  EXPECT_NE(said_of_block("model = \"j2-logarithmic\"\nA = 3e8\n").find("yield"), std::string::npos);
 }
 
 TEST(PaperNames, AreSecondKeysOfEulerianKernels) {
@@ -77,10 +77,10 @@ TEST(PaperNames, AreSecondKeysOfEulerianKernels) {
 }
 
 TEST(PaperNames, SectionsOfViscosityBelongToEulerianKernels) {
-  EXPECT_NE(refusal("", "[eulerian]\nviscosity_linear = 1\n[viscosity]\nalpha = 1\n")
+  EXPECT_NE(said_of_block("", "[eulerian]\nviscosity_linear = 1\n[viscosity]\nalpha = 1\n")
                 .find("viscosity.alpha: contradicts [eulerian] viscosity_linear."),
             std::string::npos);
-  EXPECT_NE(refusal("", "[viscosity]\ngamma = 1\n").find("viscosity.gamma"), std::string::npos);
+  EXPECT_NE(said_of_block("", "[viscosity]\ngamma = 1\n").find("viscosity.gamma"), std::string::npos);
   EXPECT_THROW(
       parse_scene("[scene]\ndimension = 2\nend_time = 1\n[body]\nsize = [1, 1]\nspacing = 0.1\n[material]\n"
                   "young = 1\npoisson = 0.3\ndensity = 1\n[viscosity]\nalpha = 1\n",

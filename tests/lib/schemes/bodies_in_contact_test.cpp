@@ -8,7 +8,7 @@
 namespace plumb::testing {
 namespace {
 
-const Elastic soft{1e6, 0, 1000};  // c = 31.6 m/s
+const Elastic pliant{1e6, 0, 1000};  // c = 31.6 m/s
 const double wave = std::sqrt(1000.0);
 
 template <class Scheme>
@@ -24,7 +24,7 @@ typename Scheme::Options without_damping() {
 template <int d, class Scheme>
 Scheme in_contact(const Cloud<d>& cloud, const typename Scheme::Options& options, double friction = 0,
                   const Actions<d>& actions = {}) {
-  return Scheme({cloud, LawChoice("linear-elastic"), soft}, options, actions, 0, {},
+  return Scheme({cloud, LawChoice("linear-elastic"), pliant}, options, actions, 0, {},
                 {{}, {0, friction, friction, 0}});
 }
 
