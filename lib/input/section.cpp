@@ -50,7 +50,7 @@ bool Section::has(const Key& key) const {
 }
 
 bool Section::is_array(const Key& key) const {
-  note(key, {}, true);
+  note(key, {}, false);
   const TomlValue* value = find(key.name);
   return value && value->is(TomlValue::Kind::array);
 }
@@ -357,9 +357,9 @@ std::optional<Section> Section::optional_section(const Key& key) const {
 }
 
 std::vector<Section> Section::sections(const Key& key) const {
-  note(key, {{ValueKind::sections}}, true);
-  std::vector<Section> all;
   const TomlValue* value = find(key.name);
+  note(key, {{ValueKind::sections}}, !value);  // whoever asks where there is none can do without
+  std::vector<Section> all;
   if (!value) return all;
   if (!value->is(TomlValue::Kind::array))
     wrong_type(*value, key.name, "a list of sections", fmt::format("write [[{}]]", dotted(key.name)));

@@ -29,10 +29,15 @@ std::vector<TomlValue> in_each_dimension(Write&& write) {
 }  // namespace
 
 KeyNotes keys_of_scenes() {
-  const auto text = [](int d) {
-    return fmt::format("[scene]\ndimension = {}\nend_time = 1\n[body]\nsize = {}\nspacing = 1\n", d, ones(d));
-  };
-  return explored_keys(in_each_dimension(text),
+  std::vector<TomlValue> first;
+  for (const char* body : {"[body]", "[[body]]"}) {
+    const auto text = [&](int d) {
+      return fmt::format("[scene]\ndimension = {}\nend_time = 1\n{}\nsize = {}\nspacing = 1\n", d, body,
+                         ones(d));
+    };
+    for (TomlValue& document : in_each_dimension(text)) first.push_back(std::move(document));
+  }
+  return explored_keys(first,
                        [](const TomlValue& document, KeyNotes& notes) { scene_of(document, "", &notes); });
 }
 

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// Moves a body in time by the trapezoidal rule, THEORY (15.14): velocities and displacements move by the mean of their rates at both ends
+/// Moves a body in time by the trapezoidal rule, THEORY (15.17): velocities and displacements move by the mean of their rates at both ends
 /// of a step. Of second order, and the midpoint rule for linear motion; where that is not linear, it keeps linear momentum, but
 /// angular momentum only to the order of the step. Loads are taken at the ends of the step, at their full size.
 template <int d>

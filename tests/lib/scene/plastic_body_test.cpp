@@ -143,9 +143,5 @@ TEST(PlasticBody, BelowTheYieldStressNothingIsRemembered) {
   EXPECT_NEAR(simulation.energy().total(), initial, 0.06 * initial);
 }
 
-TEST(PlasticBody, ABudgetIsRefused) {
-  EXPECT_THROW(bar("verlet", "[output]\nbudget = true\n"), InputError);
-}
-
 }  // namespace
 }  // namespace plumb

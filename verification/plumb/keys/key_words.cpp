@@ -92,8 +92,9 @@ void add_section(const KeyNotes& notes, const std::string& path, std::string& pa
         ++at;
       else
         shown += key->path[at];
-    page += fmt::format("## {}\n\n{}{}.\n\n", list ? "[[" + shown + "]]" : "[" + shown + "]", key->meaning,
-                        notes.required(*key) ? " (required)" : "");
+    page +=
+        fmt::format("## {}{}{}\n\n{}{}.\n\n", one ? "[" + shown + "]" : "", one && list ? " or " : "",
+                    list ? "[[" + shown + "]]" : "", key->meaning, notes.required(*key) ? " (required)" : "");
     add_section(notes, list && !one ? key->path + ".0" : key->path, page);
   }
 }
