@@ -42,7 +42,9 @@ const std::vector<Equilibrium>& equilibria() {
   static const std::vector<Equilibrium> all{
       {study_of("plate", "plate, lattice", "static_plate_finite")},
       {study_of("plate-jitter", "plate, jitter 0.2", "static_plate_finite", {"body.jitter=0.2"})},
-      {study_of("plate-blue", "plate, blue noise", "static_plate_finite",
+      {study_of("plate-blue", "plate, blue noise, hourglass energy", "static_plate_finite",
+                {"body.cloud=blue-noise", "method.beta=1.2", "hourglass.alpha=0.2"})},
+      {study_of("plate-blue-bare", "plate, blue noise, no hourglass energy", "static_plate_finite",
                 {"body.cloud=blue-noise", "method.beta=1.2"})},
       {study_of("graded-linear", "plate, spacing 2:1, small strain", "static_plate_graded")},
       {study_of("graded", "plate, spacing 2:1", "static_plate_graded", finite_strain)},
@@ -85,6 +87,7 @@ Section write(const Results& results) {
   s.notes = {
       "Strains are up to 0.3 on the plate and 0.3 in the cube; \"small strain\" is the linear study with the same field.",
       "Spacing 2:1: cells of d for X < 1 and of d/2 beyond. Compatible bonds have one smoothing length, of the coarse cells; paper 004 has a support for each particle, of 2.05 of its own spacings.",
+      "On blue noise without hourglass energy the finest level ends in another equilibrium: its error is four times that of the level before. With alpha 0.2 all levels converge.",
       "The verdict says whether the orders of pairs of levels settle: \"not-asymptotic\" where they still move."};
   return s;
 }
