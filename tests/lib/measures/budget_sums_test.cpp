@@ -31,13 +31,13 @@ TEST(BudgetSums, GapsAreRelativeToTheirOwnScales) {
   EXPECT_DOUBLE_EQ(step.energy_gap, 3);
 }
 
-/// 2 kg that go from (1, 0, 0) to (1, 2, 0) m turn from (0, 3, 0) to (4, 3, 0) m/s, with (2, 3, 0) m/s meanwhile.
+/// 2 kg that go from (1, 0, 0) to (1, 2, 0) m turn from (0, 3, 0) to (4, 5, 0) m/s, with (2, 3, 0) m/s meanwhile.
 TEST(BudgetSums, AStateChangesByMassTimesWhatItsParticlesDo) {
   StateChange state;
-  for (int n = 0; n < 2; ++n) state.add(2, {1, 0, 0}, {1, 2, 0}, {0, 3, 0}, {4, 3, 0}, {2, 3, 0});
-  EXPECT_EQ(state.change.linear, Vec<3>(16, 0, 0));
-  EXPECT_EQ(state.change.angular, Vec<3>(0, 0, 4 * ((1 * 3 - 2 * 4) - 1 * 3)));
-  EXPECT_DOUBLE_EQ(state.change.energy, 2 * (25 - 9));
+  for (int n = 0; n < 2; ++n) state.add(2, {1, 0, 0}, {1, 2, 0}, {0, 3, 0}, {4, 5, 0}, {2, 3, 0});
+  EXPECT_EQ(state.change.linear, Vec<3>(16, 8, 0));
+  EXPECT_EQ(state.change.angular, Vec<3>(0, 0, 4 * ((1 * 5 - 2 * 4) - 1 * 3)));
+  EXPECT_DOUBLE_EQ(state.change.energy, 2 * (41 - 9));
   EXPECT_DOUBLE_EQ(state.scale.linear[0], 4 * std::sqrt(13.0));
   EXPECT_DOUBLE_EQ(state.scale.angular[0], 4 * std::sqrt(2.0) * std::sqrt(13.0));
   EXPECT_DOUBLE_EQ(state.scale.energy, 2 * 13);
