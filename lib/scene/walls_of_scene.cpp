@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "lib/geometry/closed_surface.hpp"
 #include "lib/input/stl.hpp"
@@ -13,17 +14,12 @@
 namespace plumb {
 namespace {
 
-bool has_body(const Scene& scene, const std::string& name) {
-  return scene.body.name == name ||
-         std::any_of(scene.others.begin(), scene.others.end(), [&](const Body& b) { return b.name == name; });
-}
-
-/// The number of the body of that name; of none of them -1.
-int body_number(const Scene& scene, const std::string& name) {
+/// The number of the body of that name; nothing if none has it.
+std::optional<int> body_number(const Scene& scene, const std::string& name) {
   if (scene.body.name == name) return 0;
   for (std::size_t n = 0; n < scene.others.size(); ++n)
     if (scene.others[n].name == name) return static_cast<int>(n) + 1;
-  return -1;
+  return std::nullopt;
 }
 
 /// Names of a body and of a wall or of another body.
@@ -38,8 +34,8 @@ void read_between(const Section& section, const Scene& scene, ContactOptions& co
   contact.wall = names[1];
   if (scene.others.empty()) return;  // there is one body, whatever its name
   contact.body = names[0];
-  contact.of_bodies = has_body(scene, contact.wall);
-  if (!has_body(scene, contact.body))
+  contact.of_bodies = body_number(scene, contact.wall).has_value();
+  if (!body_number(scene, contact.body))
     section.fail("between", fmt::format("there is no body \"{}\"", contact.body),
                  "the first name is that of a body", "give a [[body]] that name");
   if (contact.body == contact.wall)
@@ -211,8 +207,8 @@ TouchOptions touch_of_scene(const Scene& scene) {
     touch.modulus = contact.stiffness;
     if (contact.friction == 0) continue;
     touch.friction.resize(bodies * bodies, 0.0);
-    const auto a = static_cast<std::size_t>(body_number(scene, contact.body)),
-               b = static_cast<std::size_t>(body_number(scene, contact.wall));
+    const auto a = static_cast<std::size_t>(body_number(scene, contact.body).value()),
+               b = static_cast<std::size_t>(body_number(scene, contact.wall).value());
     touch.friction[a * bodies + b] = touch.friction[b * bodies + a] = contact.friction;
   }
   return touch;
@@ -251,7 +247,7 @@ std::vector<RigidWall<d>> walls_of_scene(const Scene& scene, double spacing) {
   for (const ContactOptions& contact : scene.contacts) {
     if (contact.of_bodies) continue;
     RigidWall<d> wall;
-    if (!contact.body.empty()) wall.body = body_number(scene, contact.body);
+    if (!contact.body.empty()) wall.body = body_number(scene, contact.body).value();
     wall.name = contact.wall;
     wall.beside = wall_surface<d>(contact);
     if (!contact.displacement.empty())
