@@ -1,9 +1,7 @@
 #pragma once
-#include <Spectra/GenEigsSolver.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <functional>
 
 #include "lib/spectrum/eigen_pairs.hpp"
 
@@ -25,17 +23,15 @@ inline Eigen::VectorXd broad_start(Index size) {
 /// converges like modulus^-(some 100 applications), here to 1e-11.
 inline const double arnoldi_resolution = std::log(1.3);
 
-/// The span of vectors of an operator with its eigenvalues of largest modulus, as far as they converge.
+/// A square matrix that is known by what it does to vectors.
+struct LinearMap {
+  Index size;
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> image;
+};
+
+/// Finds the span of the eigenvectors whose eigenvalues have the largest modulus, as far as they converge.
 /// `grows`: some modulus is far above 1. Then none at all is an error (std::runtime_error); otherwise two
-/// restarts show what there is. Operator: as Spectra wants it.
-template <class Operator>
-Eigen::MatrixXd outer_span(Operator& op, bool grows) {
-  const int wanted = static_cast<int>(std::min<Index>(20, op.rows() - 2));
-  Spectra::GenEigsSolver<Operator> solver(op, wanted, krylov_space(op.rows(), wanted));
-  solver.init();
-  const auto found = solver.compute(Spectra::SortRule::LargestMagn, grows ? 100 : 2, 1e-8);
-  if (grows && found == 0) throw std::runtime_error("the iteration for growing motion did not converge");
-  return real_span(solver.eigenvectors());
-}
+/// restarts show what there is.
+Eigen::MatrixXd outer_span(const LinearMap& map, bool grows);
 
 }  // namespace plumb

@@ -1,9 +1,8 @@
 #include "lib/spectrum/damped_growth.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 
+#include "lib/linear/dense.hpp"
 #include "lib/spectrum/arnoldi.hpp"
 
 namespace plumb {
@@ -26,12 +25,9 @@ double fastest(const Eigen::VectorXcd& rates, double largest) {
 template <int d>
 class Flow {
  public:
-  using Scalar = double;
-
   Flow(LinearOperator<d>& op, const SparseMatrix& K) : op_(op), K_(K) {}
 
   Index rows() const { return 2 * op_.size(); }
-  Index cols() const { return rows(); }
   VectorXd rate(const VectorXd& state) const {
     VectorXd result(rows());
     const VectorXd velocity = state.tail(op_.size());
@@ -47,10 +43,10 @@ class Flow {
     }
     return sum;
   }
-  void perform_op(const double* in, double* out) const {
-    VectorXd state = Eigen::Map<const VectorXd>(in, rows());
+  /// The state all `steps` later.
+  VectorXd after(VectorXd state) const {
     for (int n = 0; n < steps; ++n) state = advanced(state);
-    Eigen::Map<VectorXd>(out, rows()) = state;
+    return state;
   }
 
   double step = 0;
@@ -83,7 +79,7 @@ Growth dense_damped_growth(LinearOperator<d>& op, const SparseMatrix& K) {
   A.topRightCorner(n, n).setIdentity();
   A.bottomLeftCorner(n, n) = -MatrixXd(K);
   A.bottomRightCorner(n, n) = -MatrixXd(op.damping_matrix());
-  const Eigen::VectorXcd rates = Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues();
+  const Eigen::VectorXcd rates = complex_values(A);
   return {fastest(rates, rates.cwiseAbs().maxCoeff()), 0};
 }
 
@@ -95,16 +91,14 @@ Growth damped_growth(LinearOperator<d>& op, const SparseMatrix& K, double larges
   const int most_steps = static_cast<int>(std::ceil(800 / (oscillation * flow.step)));
   VectorXd state = broad_start(flow.rows());
   for (; flow.steps < most_steps && state.norm() < 1e3; ++flow.steps) state = flow.advanced(state);
-  const MatrixXd span = outer_span(flow, state.norm() >= 1e3);
+  const MatrixXd span =
+      outer_span({flow.rows(), [&](const VectorXd& v) { return flow.after(v); }}, state.norm() >= 1e3);
   Growth growth{0, arnoldi_resolution / (flow.step * flow.steps)};
   if (span.cols() == 0) return growth;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(span);
-  qr.setThreshold(1e-6);
-  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(span.rows(), qr.rank());
+  const MatrixXd basis = orthonormal_basis(span, 1e-6);
   MatrixXd image(basis.rows(), basis.cols());
   for (Index n = 0; n < basis.cols(); ++n) image.col(n) = flow.rate(basis.col(n));
-  growth.rate =
-      fastest(Eigen::EigenSolver<MatrixXd>(basis.transpose() * image, false).eigenvalues(), oscillation);
+  growth.rate = fastest(complex_values(basis.transpose() * image), oscillation);
   return growth;
 }
 

@@ -1,9 +1,8 @@
 #include "lib/spectrum/eigen_pairs.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <complex>
-#include <stdexcept>
+
+#include "lib/linear/dense.hpp"
 
 namespace plumb {
 namespace {
@@ -26,26 +25,10 @@ MatrixXd real_vectors(const VectorXcd& values, const MatrixXcd& vectors) {
   return real;
 }
 
-struct ComplexPairs {
-  VectorXcd values;
-  MatrixXcd vectors;
-};
-
-/// An iteration that ended too early leaves numbers that mean nothing.
-void require_converged(Eigen::ComputationInfo info) {
-  if (info != Eigen::Success) throw std::runtime_error("the eigenvalues of a matrix did not converge");
-}
-
 ComplexPairs all_pairs(const MatrixXd& matrix, bool symmetric) {
-  if (symmetric) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 * (matrix + matrix.transpose()));
-    require_converged(solver.info());
-    return {solver.eigenvalues().cast<std::complex<double>>(),
-            solver.eigenvectors().cast<std::complex<double>>()};
-  }
-  const Eigen::EigenSolver<MatrixXd> solver(matrix);
-  require_converged(solver.info());
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  if (!symmetric) return complex_pairs(matrix);
+  const SymmetricPairs real = symmetric_pairs(0.5 * (matrix + matrix.transpose()));
+  return {real.values.cast<std::complex<double>>(), real.vectors.cast<std::complex<double>>()};
 }
 
 /// Those pairs for which keep(n) holds.
@@ -61,9 +44,7 @@ EigenPairs kept(const ComplexPairs& all, Keep&& keep) {
 /// An orthonormal basis of the part of the span that is normal to the rigid motions.
 MatrixXd basis_of(MatrixXd span, const MatrixXd& rigid) {
   if (rigid.cols() > 0) span -= rigid * (rigid.transpose() * span);
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(span);
-  qr.setThreshold(same_direction);
-  return qr.householderQ() * MatrixXd::Identity(span.rows(), qr.rank());
+  return orthonormal_basis(std::move(span), same_direction);
 }
 
 }  // namespace

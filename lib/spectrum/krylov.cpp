@@ -45,17 +45,16 @@ LowestMotions lowest(Solver&& solver) {
 /// The motion after some steps of the leapfrog scheme from a state at rest. THEORY (9.6).
 class Leapfrog {
  public:
-  using Scalar = double;
   using Vector = Eigen::VectorXd;
 
   Leapfrog(const SparseMatrix& S, double step, int steps) : S_(S), square_(step * step), steps_(steps) {}
 
   Index rows() const { return S_.rows(); }
-  Index cols() const { return S_.cols(); }
-  void perform_op(const double* in, double* out) const {
-    Vector before = Eigen::Map<const Vector>(in, rows()), now = first(before);
+  /// The motion after all steps.
+  Vector after(Vector before) const {
+    Vector now = first(before);
     for (int n = 1; n < steps_; ++n) advance(before, now);
-    Eigen::Map<Vector>(out, rows()) = now;
+    return now;
   }
 
   Vector first(const Vector& start) const { return start - 0.5 * square_ * (S_ * start); }
@@ -110,8 +109,9 @@ GrowingMotions growing_motions(const SparseMatrix& S, bool symmetric, double lar
   GrowingMotions growing{Eigen::MatrixXd(S.rows(), 0), arnoldi_resolution / (step * steps)};
   // a symmetric operator has no complex pairs, and motions that grow slowly are among its lowest ones
   if (!grows && symmetric) return growing;
-  Leapfrog leapfrog(S, step, steps);
-  growing.span = outer_span(leapfrog, grows);
+  const Leapfrog leapfrog(S, step, steps);
+  growing.span =
+      outer_span({S.rows(), [&](const Eigen::VectorXd& start) { return leapfrog.after(start); }}, grows);
   return growing;
 }
 

@@ -1,10 +1,10 @@
 #include "lib/spectrum/linear_operator.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 #include <set>
 
 #include "lib/geometry/rigid_motions.hpp"
+#include "lib/linear/dense.hpp"
 #include "lib/material/models/linear_elastic.hpp"
 #include "lib/schemes/tlsph/loops/evaluate.hpp"
 #include "lib/schemes/tlsph/loops/make_sweeps.hpp"
@@ -149,17 +149,11 @@ Eigen::MatrixXd LinearOperator<d>::rigid_motions() const {
         const Eigen::VectorXd row = rigid.at(foot).row(wall.axis);
         held += row * row.transpose();
       }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);
-  Eigen::MatrixXd allowed(motions, 0);
-  for (int m = 0; m < motions; ++m) {
-    if (svd.singularValues()[m] > 1e-10 * std::max(svd.singularValues()[0], 1e-300)) continue;
-    allowed.conservativeResize(Eigen::NoChange, allowed.cols() + 1);
-    allowed.col(allowed.cols() - 1) = svd.matrixV().col(m);
-  }
-  if (allowed.cols() == 0) return Eigen::MatrixXd(size(), 0);
-  const Eigen::MatrixXd span = free * allowed;
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(span).householderQ() *
-         Eigen::MatrixXd::Identity(size(), span.cols());
+  const SymmetricPairs by_hold = symmetric_pairs(held);
+  Index allowed = 0;
+  const double most = by_hold.values[motions - 1];
+  while (allowed < motions && by_hold.values[allowed] <= 1e-10 * std::max(most, 1e-300)) ++allowed;
+  return orthonormal_basis(free * by_hold.vectors.leftCols(allowed), 0);
 }
 
 template class LinearOperator<1>;

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <map>
 #include <random>
 
 #include "lib/core/error.hpp"
+#include "lib/linear/dense.hpp"
 
 namespace plumb {
 namespace {
@@ -177,8 +177,8 @@ StepSpectrum spectrum_of_step(Simulation<d>& simulation, const StateScales& scal
     const Eigen::MatrixXd own = J(list, list);
     if (own.isIdentity(1e-8) || own.isZero(1e-8)) continue;
     spectrum.unknowns += own.rows();
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(own, false);
-    factors.insert(factors.end(), solver.eigenvalues().begin(), solver.eigenvalues().end());
+    const Eigen::VectorXcd found = complex_values(own);
+    factors.insert(factors.end(), found.begin(), found.end());
   }
   spectrum.factors = Eigen::Map<const Eigen::VectorXcd>(factors.data(), static_cast<Index>(factors.size()));
   judge(spectrum);

@@ -1,12 +1,12 @@
 #include "lib/spectrum/spectrum.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
 #include "lib/core/error.hpp"
+#include "lib/linear/dense.hpp"
 #include "lib/spectrum/krylov.hpp"
 
 namespace plumb {
@@ -30,10 +30,7 @@ Scaled scaled(const LinearOperator<d>& op, const SparseMatrix& K) {
   Scaled s{op.root_masses(), {}, {}, 0, false};
   s.S = s.root.asDiagonal() * K * s.root.cwiseInverse().asDiagonal();
   s.rigid = s.root.asDiagonal() * op.rigid_motions();
-  if (s.rigid.cols() > 0)
-    s.rigid = (Eigen::HouseholderQR<Eigen::MatrixXd>(s.rigid).householderQ() *
-               Eigen::MatrixXd::Identity(s.rigid.rows(), s.rigid.cols()))
-                  .eval();
+  if (s.rigid.cols() > 0) s.rigid = orthonormal_basis(s.rigid, 0);
   s.asymmetry = SparseMatrix(s.S - SparseMatrix(s.S.transpose())).norm() / s.S.norm();
   // a table that is adjoint by construction is symmetric to rounding
   s.symmetric = s.asymmetry < symmetric_to_rounding;

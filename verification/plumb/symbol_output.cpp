@@ -1,10 +1,10 @@
 #include "verification/plumb/symbol_output.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "lib/core/dimension.hpp"
+#include "lib/linear/dense.hpp"
 #include "lib/scene/tlsph.hpp"
 #include "lib/spectrum/lattice_symbol.hpp"
 
@@ -25,8 +25,7 @@ Json symbol_in(const Scene& scene, int points) {
                              std::string(static_cast<std::size_t>(d - axes - 1), '0');
     for (int n = 1; n <= points; ++n) {
       const Vec<d> theta = std::numbers::pi * n / points * direction;
-      const Eigen::VectorXcd values =
-          Eigen::EigenSolver<Eigen::MatrixXd>(symbol.dynamical_matrix(theta, elastic), false).eigenvalues();
+      const Eigen::VectorXcd values = complex_values(symbol.dynamical_matrix(theta, elastic));
       rows.push_back({{"direction", name},
                       {"theta", theta[0]},
                       {"gradient", symbol.gradient(theta).dot(theta) / theta.squaredNorm()},

@@ -1,9 +1,9 @@
 #include "lib/schemes/element/element_body.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "lib/linear/dense.hpp"
 #include "lib/material/laws.hpp"
 #include "lib/material/tangent.hpp"
 #include "lib/schemes/gather.hpp"
@@ -175,8 +175,7 @@ double ElementBody<d>::highest_frequency() const {
     const Eigen::MatrixXd K = scaled_stiffness(*this, stiffness, c);
     constexpr double same = 1e-9;  // cells of a lattice differ by rounding
     if (c > 0 && (K - last).norm() <= same * K.norm()) continue;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, Eigen::EigenvaluesOnly);
-    most = std::max(most, modes.eigenvalues().maxCoeff());
+    most = std::max(most, symmetric_values(K).maxCoeff());
     last = K;
   }
   return std::sqrt(most);

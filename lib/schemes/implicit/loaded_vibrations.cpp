@@ -1,12 +1,11 @@
 #include "lib/schemes/implicit/loaded_vibrations.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
 
 #include "lib/core/error.hpp"
 #include "lib/linear/cholesky.hpp"
+#include "lib/linear/dense.hpp"
 
 namespace plumb {
 namespace {
@@ -66,11 +65,10 @@ std::vector<LoadedVibration> vibrations_about(Balance<d>& balance, const Eigen::
   Eigen::MatrixXd X = first_columns(S.rows(), columns);
   Eigen::VectorXd before = Eigen::VectorXd::Constant(columns, 1e300);
   for (int n = 0; n < most_subspace_steps; ++n) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(factors.solve(X));
-    X = qr.householderQ() * Eigen::MatrixXd::Identity(S.rows(), columns);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(X.transpose() * (S * X));
-    X *= ritz.eigenvectors();
-    const Eigen::VectorXd& now = ritz.eigenvalues();
+    X = orthonormal_basis(factors.solve(X), 0);
+    const SymmetricPairs ritz = symmetric_pairs(X.transpose() * (S * X));
+    X *= ritz.vectors;
+    const Eigen::VectorXd& now = ritz.values;
     const double scale = now.cwiseAbs().head(count).maxCoeff();
     if ((now - before).head(count).cwiseAbs().maxCoeff() <= enough * scale) {
       std::vector<LoadedVibration> found;

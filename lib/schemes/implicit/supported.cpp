@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +10,7 @@
 #include "lib/core/error.hpp"
 #include "lib/geometry/position_text.hpp"
 #include "lib/geometry/rigid_motions.hpp"
+#include "lib/linear/dense.hpp"
 
 namespace plumb {
 namespace {
@@ -57,19 +56,17 @@ struct Resistance {
 /// The shares of rigid motions that nothing resists, one motion per column, of length 1; motions that leave all the particles where
 /// they are (a turn of one particle about itself) do not count.
 Eigen::MatrixXd free_motions(const Resistance& of) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(of.size);
+  const SymmetricPairs all = symmetric_pairs(of.size);
   const Eigen::Index count = of.size.rows();
   Eigen::Index still = 0;
-  while (still < count && all.eigenvalues()[still] < none * all.eigenvalues()[count - 1]) ++still;
-  const Eigen::MatrixXd moving =
-      all.eigenvectors().rightCols(count - still) *
-      all.eigenvalues().tail(count - still).cwiseSqrt().cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(moving.transpose() * of.resisted * moving);
+  while (still < count && all.values[still] < none * all.values[count - 1]) ++still;
+  const Eigen::MatrixXd moving = all.vectors.rightCols(count - still) *
+                                 all.values.tail(count - still).cwiseSqrt().cwiseInverse().asDiagonal();
+  const SymmetricPairs modes = symmetric_pairs(moving.transpose() * of.resisted * moving);
   Eigen::Index free = 0;
-  while (free < count - still && modes.eigenvalues()[free] < none) ++free;
+  while (free < count - still && modes.values[free] < none) ++free;
   if (free == 0) return {count, 0};
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(moving * modes.eigenvectors().leftCols(free));
-  return qr.householderQ() * Eigen::MatrixXd::Identity(count, free);
+  return orthonormal_basis(moving * modes.vectors.leftCols(free), 0);
 }
 
 /// The motion of the null space `free` (columns) that is named: a translation along an axis if there is one.
