@@ -108,8 +108,8 @@ class Results;
 /// them).
 std::string chapter_of(int place);
 
-/// How a section comes about. A file reports/sections/some_name.cpp defines `SectionPlan some_name(bool
-/// long_run)` in namespace plumb::reports::sections; the list of them is generated.
+/// How a section comes about. A file reports/sections/some_name.cpp defines `SectionPlan planned(bool
+/// long_run)` in namespace plumb::reports::sections::some_name; the list of them is generated.
 struct SectionPlan {
   int place = 0;   ///< sections are ordered by it; its hundreds are the chapter (chapter_of)
   std::string id;  ///< letters, digits and hyphens; unique in the report

@@ -7,7 +7,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::account_1d {
 namespace {
 
 /// "name = value; .." of all numbers that decide a sentence.
@@ -47,9 +47,9 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The account of the sentences of sections 2.2 and 4.1 of paper 000.
-SectionPlan account_1d(bool) {
+SectionPlan planned(bool) {
   return {
       150, "account", "What the paper says about one dimension", {{"account", {"oned", "account"}}}, write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::account_1d

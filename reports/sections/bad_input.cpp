@@ -6,7 +6,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::bad_input {
 namespace {
 
 Section write(const Results& results) {
@@ -38,9 +38,9 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Bad input and its messages.
-SectionPlan bad_input(bool) {
+SectionPlan planned(bool) {
   const std::string table = "verification/bad_inputs.toml";
   return {1010, "bad-input", "Bad input", {{"refusals", {"refusals", table}, {table}}}, write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::bad_input

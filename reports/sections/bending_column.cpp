@@ -10,7 +10,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::bending_column {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -143,10 +143,10 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Section 5.3 of paper 000: the bending column and its energy.
-SectionPlan bending_column(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{610, "column", "Bending column: energy", {}, write};
   for (const auto& v : variants) plan.jobs.push_back(job_of(v));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::bending_column

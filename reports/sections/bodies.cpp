@@ -11,7 +11,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::bodies {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -175,11 +175,11 @@ Section write(const Results& results, const std::vector<DrawnBody>& all) {
 }  // namespace
 
 /// The deformed bodies of sections 5.2 to 5.5 of paper 000.
-SectionPlan bodies(bool long_run) {
+SectionPlan planned(bool long_run) {
   const auto all = all_bodies(long_run);
   SectionPlan plan{510, "bodies", "Deformed bodies", {}, [all](const Results& r) { return write(r, all); }};
   for (const auto& body : all) plan.jobs.push_back(job_of(body));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::bodies

@@ -8,7 +8,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::cantilever_004 {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -194,7 +194,7 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// The cantilever of paper 004 at the paper's numbers of particles and on lattices, with what its field and its energy are off by.
-SectionPlan cantilever_004(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{509, "cantilever-004", "Cantilever of paper 004", {}, [long_run](const Results& results) {
                      return write(results, long_run);
                    }};
@@ -217,4 +217,4 @@ SectionPlan cantilever_004(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::cantilever_004

@@ -7,7 +7,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::claims {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -113,7 +113,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The ledger of the papers' claims.
-SectionPlan claims(bool) {
+SectionPlan planned(bool) {
   const std::string folder = "verification/claims/";
   Job job{"claims", {"claims"}, {}};
   for (const auto& part : parts)
@@ -121,4 +121,4 @@ SectionPlan claims(bool) {
   return {810, "claims", "Ledger of the papers' claims", {job}, write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::claims

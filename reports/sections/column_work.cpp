@@ -6,7 +6,7 @@
 #include "reports/named.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::column_work {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,7 +114,7 @@ Section write(const Results& results, const std::vector<int>& cells, int finest)
 }  // namespace
 
 /// Error against CPU time for the bending column of section 5.3 of paper 000.
-SectionPlan column_work(bool long_run) {
+SectionPlan planned(bool long_run) {
   const std::vector<int> cells = long_run ? std::vector<int>{4, 6, 8, 12, 16} : std::vector<int>{4, 6, 8};
   const int finest = long_run ? 24 : 12;
   SectionPlan plan{
@@ -128,4 +128,4 @@ SectionPlan column_work(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::column_work

@@ -10,7 +10,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::compatible_bonds {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -191,7 +191,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Compatible bonds: what the papers' schemes lack on irregular clouds.
-SectionPlan compatible_bonds(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{250, "compatible", "Compatible bonds: irregular particles", {}, write};
   for (auto v : plates()) {
     if (long_run) v.set.emplace_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");
@@ -202,4 +202,4 @@ SectionPlan compatible_bonds(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::compatible_bonds

@@ -7,7 +7,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::compatible_columns {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -159,7 +159,7 @@ Section write(const Results& results, const std::vector<Case>& all) {
 }  // namespace
 
 /// The paper's columns with compatible bonds.
-SectionPlan compatible_columns(bool long_run) {
+SectionPlan planned(bool long_run) {
   const auto all = columns(long_run);
   SectionPlan plan{
       520, "compatible-columns", "The paper's columns by compatible bonds", {}, [all](const Results& r) {
@@ -169,4 +169,4 @@ SectionPlan compatible_columns(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::compatible_columns

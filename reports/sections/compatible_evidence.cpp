@@ -7,7 +7,7 @@
 #include "reports/results.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::compatible_evidence {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -198,7 +198,7 @@ Section write(const Results& results, const std::vector<Problem>& all) {
 }  // namespace
 
 /// Compatible bonds beside the other schemes on every manufactured solution.
-SectionPlan compatible_evidence(bool long_run) {
+SectionPlan planned(bool long_run) {
   const auto all = problems(long_run);
   SectionPlan plan{340,
                    "compatible-evidence",
@@ -209,4 +209,4 @@ SectionPlan compatible_evidence(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::compatible_evidence

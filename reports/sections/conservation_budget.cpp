@@ -11,7 +11,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::conservation_budget {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -136,10 +136,10 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The conservation budget: momentum and energy by cause.
-SectionPlan conservation_budget(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{620, "budget", "Conservation budget", {}, write};
   for (const auto& v : variants) plan.jobs.push_back(job_of(v));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::conservation_budget

@@ -8,10 +8,11 @@
 #include "reports/comparison/tables.hpp"
 #include "reports/scheme_look.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::five_schemes {
 namespace {
 
 using namespace comparison;
+using comparison::Problem;  // not the problem of another page
 
 const std::string source = "verification/comparison/five_schemes.toml";
 
@@ -113,9 +114,9 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// The schemes of five papers side by side, printed and mended, with finite elements as the reference.
-SectionPlan five_schemes(bool long_run) {
+SectionPlan planned(bool long_run) {
   return {410, "five-schemes", "Five schemes side by side", jobs_of(table_of(long_run)),
           [long_run](const Results& results) { return write(results, long_run); }};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::five_schemes

@@ -11,7 +11,7 @@
 #include "reports/section.hpp"
 #include "reports/swing.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::flag {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -220,7 +220,7 @@ Section write(const Results& results, const std::vector<FlagRun>& all) {
 }  // namespace
 
 /// CSM3 of Turek and Hron: a clamped bar that is let go under its weight.
-SectionPlan flag(bool long_run) {
+SectionPlan planned(bool long_run) {
   const auto all = runs_of(long_run);
   SectionPlan plan{507, "flag", "Swinging flag", {}, [all](const Results& r) { return write(r, all); }};
   for (const FlagRun& run : all) {
@@ -231,4 +231,4 @@ SectionPlan flag(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::flag

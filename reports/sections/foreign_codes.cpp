@@ -6,7 +6,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::foreign_codes {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,7 +114,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Programs of other people under campaigns.
-SectionPlan foreign_codes(bool) {
+SectionPlan planned(bool) {
   return {930,
           "foreign-codes",
           "Other people's codes",
@@ -125,4 +125,4 @@ SectionPlan foreign_codes(bool) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::foreign_codes

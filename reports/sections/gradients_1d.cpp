@@ -8,7 +8,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::gradients_1d {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -128,7 +128,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Figures 4 and 5 of paper 000: estimates of the gradient of polynomials.
-SectionPlan gradients_1d(bool) {
+SectionPlan planned(bool) {
   const auto of = [](const char* field, const char* estimators, const char* pairs) {
     return std::vector<std::string>{"oned",        "gradient",         "--length", "5",       "--n",
                                     "40",          "--radius-over-dx", "4",        "--field", field,
@@ -143,4 +143,4 @@ SectionPlan gradients_1d(bool) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::gradients_1d

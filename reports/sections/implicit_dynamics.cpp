@@ -10,7 +10,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::implicit_dynamics {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -210,7 +210,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Implicit midpoint and energy-momentum beside Verlet: orders, what is kept, work and precision.
-SectionPlan implicit_dynamics(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{505, "implicit-dynamics", "Implicit steps in time", {}, write};
   for (const Motion& motion : motions())
     for (const Rule& rule : rules_of(motion))
@@ -225,4 +225,4 @@ SectionPlan implicit_dynamics(bool) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::implicit_dynamics

@@ -8,7 +8,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::kernels_1d {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,7 +114,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Figure 2 of paper 000: kernels and gradients in the body and at its end.
-SectionPlan kernels_1d(bool) {
+SectionPlan planned(bool) {
   const auto at = [](const char* x) {
     return std::vector<std::string>{"oned", "kernels", "--at", x,          "--length",
                                     "2",    "--n",     "200",  "--radius", "1"};
@@ -126,4 +126,4 @@ SectionPlan kernels_1d(bool) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::kernels_1d

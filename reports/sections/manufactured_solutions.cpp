@@ -9,7 +9,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::manufactured_solutions {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -131,7 +131,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Refinement of every manufactured solution that is no patch, and the order in time.
-SectionPlan manufactured_solutions(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{320, "mms", "Manufactured solutions: orders", {}, write};
   for (const auto& entry : others()) plan.jobs.push_back(refinement_job(entry));
   for (const auto& entry : broken()) plan.jobs.push_back(refinement_job(entry));
@@ -139,4 +139,4 @@ SectionPlan manufactured_solutions(bool) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::manufactured_solutions

@@ -6,7 +6,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::near_incompressible {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -94,8 +94,8 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The near-incompressible family: error at a fixed spacing against Poisson's ratio.
-SectionPlan near_incompressible(bool) {
+SectionPlan planned(bool) {
   return {330, "incompressible", "Nearly incompressible materials", {job()}, write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::near_incompressible

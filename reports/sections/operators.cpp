@@ -8,7 +8,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::operators {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -210,11 +210,11 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Errors of the operators on exact fields, and the integration constraint.
-SectionPlan operators(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{210, "operators", "Operators on exact fields", {}, write};
   for (const auto& entry : cases())
     plan.jobs.push_back(refinement_job({entry.id, entry.cloud, entry.file, entry.set}, "operators"));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::operators

@@ -9,7 +9,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::peers {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -134,7 +134,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Speeds of other codes beside ours.
-SectionPlan peers(bool) {
+SectionPlan planned(bool) {
   return {920,
           "peers",
           "Speed of other codes",
@@ -146,4 +146,4 @@ SectionPlan peers(bool) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::peers

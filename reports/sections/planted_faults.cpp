@@ -8,7 +8,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::planted_faults {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -121,7 +121,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Faults planted into the code, and the tests that caught them.
-SectionPlan planted_faults(bool) {
+SectionPlan planned(bool) {
   return {820,
           "faults",
           "Planted faults",
@@ -129,4 +129,4 @@ SectionPlan planted_faults(bool) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::planted_faults

@@ -9,7 +9,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::plate_edges {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -200,7 +200,7 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// The swinging plate at finite strain: layouts, treatments of the edge, both pairs, two amplitudes.
-SectionPlan plate_edges(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{315,
                    "edges",
                    "Swinging plate at finite strain: layouts and edges",
@@ -210,4 +210,4 @@ SectionPlan plate_edges(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::plate_edges

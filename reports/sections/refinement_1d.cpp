@@ -8,7 +8,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::refinement_1d {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -136,7 +136,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Figure 6 of paper 000, in both readings.
-SectionPlan refinement_1d(bool long_run) {
+SectionPlan planned(bool long_run) {
   const auto with = [long_run](const char* option, const char* value) {
     return std::vector<std::string>{
         "oned",        "study",
@@ -156,4 +156,4 @@ SectionPlan refinement_1d(bool long_run) {
       write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::refinement_1d

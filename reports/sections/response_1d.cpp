@@ -9,7 +9,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::response_1d {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -107,7 +107,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Interior response of the estimates to exp(ikX).
-SectionPlan response_1d(bool) {
+SectionPlan planned(bool) {
   const auto at = [](const char* ratio, const char* estimators) {
     return std::vector<std::string>{"oned",        "response", "--radius-over-dx", ratio,
                                     "--estimator", estimators, "--pair",           "W1",
@@ -121,4 +121,4 @@ SectionPlan response_1d(bool) {
       write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::response_1d

@@ -7,7 +7,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::schemes {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -118,7 +118,7 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// Every scheme of the house on one manufactured solution.
-SectionPlan schemes(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{405, "schemes", "The schemes on one problem", {}, [long_run](const Results& results) {
                      return write(results, long_run);
                    }};
@@ -126,4 +126,4 @@ SectionPlan schemes(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::schemes

@@ -6,7 +6,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::schemes_1d {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,10 +53,10 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Every scheme that steps in time on a bar.
-SectionPlan schemes_1d(bool /*long_run*/) {
+SectionPlan planned(bool /*long_run*/) {
   SectionPlan plan{406, "schemes-1d", "The schemes on a bar", {}, write};
   for (const auto& entry : entries()) plan.jobs.push_back(refinement_job(entry));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::schemes_1d

@@ -8,7 +8,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::solver_scaling {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -146,7 +146,7 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// Factors, conjugate gradients and explicit relaxation on one cantilever.
-SectionPlan solver_scaling(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{
       508, "solver-scaling", "What an equilibrium costs", {}, [long_run](const Results& results) {
         return write(results, long_run);
@@ -162,4 +162,4 @@ SectionPlan solver_scaling(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::solver_scaling

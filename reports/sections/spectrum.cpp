@@ -10,7 +10,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::spectrum {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -173,7 +173,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Spectrum of the linearised operator.
-SectionPlan spectrum(bool) {
+SectionPlan planned(bool) {
   const auto job = [](const std::string& id, const std::string& scene, std::vector<std::string> more) {
     std::vector<std::string> arguments{"spectrum", scene};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -226,4 +226,4 @@ SectionPlan spectrum(bool) {
       write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::spectrum

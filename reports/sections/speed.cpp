@@ -6,7 +6,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::speed {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -137,7 +137,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Speed of whole runs.
-SectionPlan speed(bool long_run) {
+SectionPlan planned(bool long_run) {
   std::vector<std::string> whole_runs{"bench",     "--all", "--cores",   "1,2",
                                       "--repeats", "2",     "--seconds", "0.02"};
   if (long_run) whole_runs = {"bench", "--full", "--repeats", "2", "--seconds", "0.2"};
@@ -149,4 +149,4 @@ SectionPlan speed(bool long_run) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::speed

@@ -6,7 +6,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::speed_goals {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -121,7 +121,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The speeds that the project set itself, as measured by this report.
-SectionPlan speed_goals(bool) {
+SectionPlan planned(bool) {
   const auto bench = [](const std::string& id, const std::string& cases, const std::string& n,
                         const std::string& cores) {
     return Job{id,
@@ -138,4 +138,4 @@ SectionPlan speed_goals(bool) {
           write};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::speed_goals

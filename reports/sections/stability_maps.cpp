@@ -10,7 +10,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::stability_maps {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -182,7 +182,7 @@ Section write(const Results& results, const std::vector<Job>& jobs) {
 }  // namespace
 
 /// Maps of stability.
-SectionPlan stability_maps(bool long_run) {
+SectionPlan planned(bool long_run) {
   const std::string folder = "verification/stability/", scenes = "verification/scenes/";
   const auto job = [&](const std::string& study, const std::string& scene) {
     return Job{"edge-" + study,
@@ -210,4 +210,4 @@ SectionPlan stability_maps(bool long_run) {
           [jobs](const Results& results) { return write(results, jobs); }};
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::stability_maps

@@ -6,7 +6,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::static_manufactured {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -95,10 +95,10 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Static manufactured solutions at finite strain: lattices, irregular and graded clouds, three dimensions, curved bodies.
-SectionPlan static_manufactured(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{511, "static-manufactured", "Static manufactured solutions", {}, write};
   for (const Equilibrium& of : equilibria()) plan.jobs.push_back(refinement_job(of.study, "static"));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::static_manufactured

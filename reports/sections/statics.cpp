@@ -9,7 +9,7 @@
 #include "reports/results.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::statics {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -200,11 +200,11 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Published static cases by the implicit scheme, beside finite elements.
-SectionPlan statics(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{506, "statics", "Static cases", {}, write};
   for (const auto& way : ways)
     if (way.run.empty()) plan.jobs.push_back(job_of(way));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::statics

@@ -9,7 +9,7 @@
 #include "reports/section.hpp"
 #include "reports/studies.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::swinging_plate {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -161,11 +161,11 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Section 5.1 of paper 000: convergence on the swinging plate.
-SectionPlan swinging_plate(bool) {
+SectionPlan planned(bool) {
   SectionPlan plan{310, "plate", "Swinging plate: convergence", {}, write};
   for (const auto& v : paper_variants()) plan.jobs.push_back(job_of(v));
   for (const auto& v : other_variants()) plan.jobs.push_back(job_of(v));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::swinging_plate

@@ -8,7 +8,7 @@
 #include "reports/named.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::work_precision {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -156,10 +156,10 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Error against run time and against work.
-SectionPlan work_precision(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{410, "work", "Error against run time", {}, write};
   for (const auto& comparison : comparisons()) plan.jobs.push_back(job_of(comparison, long_run));
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::work_precision

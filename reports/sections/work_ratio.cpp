@@ -7,7 +7,7 @@
 #include "reports/named.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::work_ratio {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -189,7 +189,7 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// What an error costs by compatible bonds, in units of what it costs by the paper's scheme.
-SectionPlan work_ratio(bool long_run) {
+SectionPlan planned(bool long_run) {
   SectionPlan plan{
       415, "work-ratio", "Error against run time: compatible bonds", {}, [long_run](const Results& r) {
         return write(r, long_run);
@@ -200,4 +200,4 @@ SectionPlan work_ratio(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::work_ratio

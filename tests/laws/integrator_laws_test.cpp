@@ -6,7 +6,7 @@
 
 #include "tests/support/solids.hpp"
 
-namespace plumb {
+namespace plumb::integrator_laws_test {
 namespace {
 
 template <class>
@@ -137,4 +137,4 @@ TYPED_TEST(IntegratorLaws, StabilityLimitsAreThoseOfTheTestEquation) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::integrator_laws_test

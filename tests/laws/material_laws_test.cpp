@@ -13,7 +13,7 @@
 #include "lib/material/tangent.hpp"
 #include "mms/ad/jet.hpp"
 
-namespace plumb {
+namespace plumb::material_laws_test {
 namespace {
 
 template <class>
@@ -179,4 +179,4 @@ TYPED_TEST(MaterialLaws, PacksGiveWhatDoublesGive) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::material_laws_test

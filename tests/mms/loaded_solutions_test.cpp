@@ -11,7 +11,7 @@
 #include "mms/static_study.hpp"
 #include "mms/static_surface.hpp"
 
-namespace plumb::mms {
+namespace plumb::mms::loaded_solutions_test {
 namespace {
 
 struct Case {
@@ -231,4 +231,4 @@ momentum = "adjoint"
 }
 
 }  // namespace
-}  // namespace plumb::mms
+}  // namespace plumb::mms::loaded_solutions_test

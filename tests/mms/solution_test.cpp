@@ -6,7 +6,7 @@
 #include "mms/manufactured.hpp"
 #include "mms/solution.hpp"
 
-namespace plumb::mms {
+namespace plumb::mms::solution_test {
 namespace {
 
 const Elastic rubber{17e6, 0.495, 1100};
@@ -131,4 +131,4 @@ TEST(Manufactured, BadRequestsAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumb::mms
+}  // namespace plumb::mms::solution_test

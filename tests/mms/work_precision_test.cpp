@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumb::mms {
+namespace plumb::mms::work_precision_test {
 namespace {
 
 TEST(WorkPrecision, ThePointsThatNothingBeatsAreTheFront) {
@@ -67,4 +67,4 @@ TEST(WorkPrecision, WhatCannotBeBuiltIsAPointWithoutError) {
 }
 
 }  // namespace
-}  // namespace plumb::mms
+}  // namespace plumb::mms::work_precision_test

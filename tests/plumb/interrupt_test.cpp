@@ -8,7 +8,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::interrupt_test {
 namespace {
 
 using nlohmann::json;
@@ -123,4 +123,4 @@ TEST(InterruptReport, FinishedStudiesAreStored) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::interrupt_test

@@ -8,7 +8,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::orders_test {
 namespace {
 
 using test::run_plumb;
@@ -172,4 +172,4 @@ TEST(Orders, ExtrapolateTellsOscillationFromConvergence) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::orders_test

@@ -13,7 +13,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::plots_test {
 namespace {
 
 using nlohmann::json;
@@ -213,4 +213,4 @@ TEST(Plots, OfTablesAndPoints) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plots_test

@@ -11,7 +11,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::published_tables_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -147,4 +147,4 @@ TEST(PublishedTables, TheLostRowIsFound) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::published_tables_test

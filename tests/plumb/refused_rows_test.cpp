@@ -7,7 +7,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::refused_rows_test {
 namespace {
 
 using nlohmann::json;
@@ -77,4 +77,4 @@ TEST(RefusedRows, OfAMapAreBadInputIfThereAreNoOthers) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::refused_rows_test

@@ -8,7 +8,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::run_test {
 namespace {
 
 using nlohmann::json;
@@ -308,4 +308,4 @@ TEST_F(RunCommand, WhatASceneDoesNotNameIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::run_test

@@ -9,7 +9,7 @@
 #include "lib/run/checkpoint.hpp"
 #include "tests/support/run_scene.hpp"
 
-namespace plumb {
+namespace plumb::run_values_test {
 namespace {
 
 using nlohmann::json;
@@ -357,4 +357,4 @@ gradient = "compatible"
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::run_values_test

@@ -11,7 +11,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/said.hpp"
 
-namespace plumb {
+namespace plumb::said_test {
 namespace {
 
 using nlohmann::json;
@@ -288,4 +288,4 @@ INSTANTIATE_TEST_SUITE_P(Calls, Said, testing::ValuesIn(calls),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::said_test

@@ -11,7 +11,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::spectrum_test {
 namespace {
 
 using nlohmann::json;
@@ -208,4 +208,4 @@ TEST(SpectrumCommand, APictureNeedsOneBody) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::spectrum_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::surroundings_test {
 namespace {
 
 using test::run_shell;
@@ -148,4 +148,4 @@ TEST(Surroundings, ThreadsThatWaitSleepUnlessTheUserSaysOtherwise) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::surroundings_test

@@ -149,7 +149,7 @@ TEST(ComparisonAdvice, TheSectionLeavesNoCellEmpty) {
   EXPECT_EQ(now.schemes.size(), 11u);  // five papers printed and mended, and finite elements
   Given given;
   invent(now, given);
-  const auto section = sections::five_schemes(false).write(given.results);
+  const auto section = sections::five_schemes::planned(false).write(given.results);
   for (const auto& shown : section.tables) {
     EXPECT_FALSE(shown.rows.empty()) << shown.id;
     for (const auto& row : shown.rows) {
@@ -193,7 +193,7 @@ TEST(ComparisonAdvice, WhatIsNotDeclaredFails) {
   broken["status"] = "unstable";
   broken["failure"] = {{"cause", "inverted"}, {"time", 0.125}};
   given.add("five-bending-003-mended-3", broken);
-  const auto section = sections::five_schemes(false).write(given.results);
+  const auto section = sections::five_schemes::planned(false).write(given.results);
   std::vector<std::string> red;
   for (const auto& check : section.checks)
     if (check.kind == CheckKind::book_keeping && check.verdict == "fail") red.push_back(check.measured);

@@ -7,7 +7,7 @@
 
 #include "reports/results.hpp"
 
-namespace plumb::reports {
+namespace plumb::reports::swing_test {
 namespace {
 
 struct Series {
@@ -64,4 +64,4 @@ TEST(WidestSwing, HasTheExtremesOfTheSeries) {
 }
 
 }  // namespace
-}  // namespace plumb::reports
+}  // namespace plumb::reports::swing_test

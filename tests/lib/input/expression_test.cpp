@@ -7,7 +7,7 @@
 
 #include "lib/core/error.hpp"
 
-namespace plumb {
+namespace plumb::expression_test {
 namespace {
 
 struct Row {
@@ -114,4 +114,4 @@ TEST(Expression, AValueThatIsNotFiniteIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::expression_test

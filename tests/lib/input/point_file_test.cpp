@@ -10,7 +10,7 @@
 #include "places.hpp"
 #include "tests/support/program.hpp"
 
-namespace plumb {
+namespace plumb::point_file_test {
 namespace {
 
 const PointColumn& column(const PointFile& file, const std::string& name) {
@@ -149,4 +149,4 @@ TEST(PointFile, RefusalsNameThePlace) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::point_file_test

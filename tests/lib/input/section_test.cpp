@@ -6,7 +6,7 @@
 
 #include "lib/input/document.hpp"
 
-namespace plumb {
+namespace plumb::section_test {
 namespace {
 
 const char* const file = R"([body]
@@ -157,4 +157,4 @@ TEST(Section, SignsAreHeld) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::section_test

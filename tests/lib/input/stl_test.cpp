@@ -7,7 +7,7 @@
 
 #include "lib/core/error.hpp"
 
-namespace plumb {
+namespace plumb::stl_test {
 namespace {
 
 const std::string two =
@@ -80,4 +80,4 @@ TEST(Stl, WhatIsNoneIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::stl_test

@@ -8,7 +8,7 @@
 #include "lib/core/error.hpp"
 #include "lib/input/unit_names.hpp"
 
-namespace plumb {
+namespace plumb::units_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -160,4 +160,4 @@ TEST(Units, AQuantityMustHaveTheExpectedDimension) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::units_test

@@ -9,7 +9,7 @@
 #include "lib/scene/tlsph.hpp"
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 
-namespace plumb {
+namespace plumb::loads_scene_test {
 namespace {
 
 const std::string square = R"(
@@ -156,4 +156,4 @@ TEST(LoadsOfAScene, ContradictionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::loads_scene_test

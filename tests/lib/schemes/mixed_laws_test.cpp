@@ -5,7 +5,7 @@
 #include "lib/core/error.hpp"
 #include "tests/support/mixed.hpp"
 
-namespace plumb::testing {
+namespace plumb::testing::mixed_laws_test {
 namespace {
 
 static_assert(plumb::Scheme<Mixed<1>, 1> && plumb::Scheme<Mixed<2>, 2> && plumb::Scheme<Mixed<3>, 3>);
@@ -352,4 +352,4 @@ TEST(MixedScheme, EvolvedUnknownsStartAtThoseOfTheMotionAndGiveTheSameStress) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::mixed_laws_test

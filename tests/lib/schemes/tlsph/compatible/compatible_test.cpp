@@ -11,7 +11,7 @@
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"
 
-namespace plumb {
+namespace plumb::compatible_test {
 namespace {
 
 using Kinds = ::testing::Types<test::In<test::Plain, 1>, test::In<test::Plain, 2>, test::In<test::Plain, 3>>;
@@ -225,4 +225,4 @@ TEST(CompatibleErrors, TooFewNeighboursAreRefused) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::compatible_test

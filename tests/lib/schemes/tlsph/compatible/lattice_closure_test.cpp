@@ -10,7 +10,7 @@
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"
 
-namespace plumb {
+namespace plumb::lattice_closure_test {
 namespace {
 
 template <int d>
@@ -323,4 +323,4 @@ TEST(LatticeClosure, IsNotKnownForOtherClouds) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::lattice_closure_test

@@ -8,7 +8,7 @@
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"
 
-namespace plumb {
+namespace plumb::laws_test {
 namespace {
 
 template <int d>
@@ -124,4 +124,4 @@ TYPED_TEST(CompatibleLaws, AffineMotionPassesThePatchTest) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::laws_test

@@ -6,7 +6,7 @@
 #include "tests/support/compatible.hpp"
 #include "tests/support/typed.hpp"
 
-namespace plumb {
+namespace plumb::oracle_test {
 namespace {
 
 using Real = long double;
@@ -147,4 +147,4 @@ TYPED_TEST(ProjectionOracle, GivesTheSameAreaVectors) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::oracle_test

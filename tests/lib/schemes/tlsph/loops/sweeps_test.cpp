@@ -8,7 +8,7 @@
 #include "lib/schemes/tlsph/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 
-namespace plumb::testing {
+namespace plumb::testing::sweeps_test {
 namespace {
 
 /// The oracle: bonds particle by particle, sums as written in THEORY (3.1) and (5.2), (5.3); no table, no
@@ -204,4 +204,4 @@ TEST(BondTable, SharesRowsOnLatticesAndOnlyThere) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::sweeps_test
