@@ -34,13 +34,15 @@ void Eulerian<d>::stress_forces(State& state) {
   for_particles(count(), [&](Index i) {
     const Mat<d> stress = tensor_at<d>(state.stress, i) - pressure_of(state, i) * Mat<d>::Identity();
     const double rho = state.density[0][i];
-    const Mat<d> normal = options_.printed() ? Mat<d>(Mat<d>::Identity() / (rho * rho * shepard_[i])) : L_[i];
+    const double sum_of_weights = options_.printed() ? shepard_[i] : 1;
+    const Mat<d> normal =
+        options_.adjoint() ? L_[i] : Mat<d>(Mat<d>::Identity() / (rho * rho * sum_of_weights));
     S_[i] = (stress + extra_[i]) * normal;
     if (epsilon > 0) repulsion_[i] = epsilon * tensile<d>(stress) * normal;
   });
   const double nearby = kernel_.value(specimen_.cloud.spacing);
   // (11) has masses and densities of now; the adjoint force has the volumes that made L
-  const std::vector<double>& weight = options_.printed() ? mass_ : V_;
+  const std::vector<double>& weight = options_.adjoint() ? V_ : mass_;
   const MovingPairs<d, SplinePairs<d>> weighed{*neighbours_.list(), kernel_, x_, v_, weight};
   for_rows(weighed, Seen::positions, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero(), sum = Vec<d>::Zero();
@@ -68,7 +70,7 @@ double Eulerian<d>::stiffness_of(const State& state, Index i) const {
 }
 
 /// (32), (33) and (34) with the signs that resist the error, and (33) with a density: of F_i and F_j as they
-/// are, and of the places before any deformation.
+/// are, and of the places before any deformation; or both since the latest reference.
 template <int d>
 void Eulerian<d>::hourglass_forces(State& state) {
   const bool stiff = options_.stiffness_share() > 0;
@@ -78,12 +80,16 @@ void Eulerian<d>::hourglass_forces(State& state) {
   const double viscous = (as_printed ? -1 : 1) * options_.viscous() * law_.sound_speed() * h_;
   const double far = 2 / kernel_.per_reach;  // pairs that were farther apart at first are none of the body
   const auto failed = [&](Index i) { return law_.failed(damage_of(state, i)); };
-  for_particles(count(), [&](Index i) { S_[i] = 0.5 * tensor_at<d>(state.F, i); });
+  const bool forgets = options_.forgets;
+  for_particles(count(), [&](Index i) {
+    S_[i] = 0.5 * (forgets ? reference_->gradient(x_, i) : tensor_at<d>(state.F, i));
+  });
+  const std::vector<Vec<d>>& places = forgets ? reference_->x() : specimen_.cloud.X;
   for_rows(pairs(), viscous != 0 ? Seen::openings : Seen::positions, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero();
     for (Index m = 0; m < row.count; ++m) {
       const Index j = row.other[m];
-      const Vec<d> X = specimen_.cloud.X[i] - specimen_.cloud.X[j], r = row.r_of(m);
+      const Vec<d> X = places[i] - places[j], r = row.r_of(m);
       const double length = X.squaredNorm(), square = row.distance[m] * row.distance[m];
       if (length > far * far || failed(i) || failed(j)) continue;
       const Vec<d> error = (S_[i] + S_[j]) * X - r;  // (31)

@@ -86,6 +86,9 @@ std::vector<Statement> Eulerian<d>::account() const {
   if (options_.printed())
     add("force", "stresses over the Shepard sums, as printed: its power is not that of the stress",
         "001 (10), (11)");
+  else if (!options_.adjoint())
+    add("force", "stresses with the plain gradient of the kernel: its power is not that of the stress",
+        "001 (11)");
   else
     add("force", "adjoint: its power is minus that of the stress, and its torque is 0", "THEORY (18.7)");
   if (options_.damping == "objective")
