@@ -10,6 +10,9 @@ MixedOptions MixedOptions::read(const Section& section, MixedOptions o) {
   o.volumes =
       section.choice_or({"volumes", "weights in the kernel sums: equal, or tributary as (41) has them"},
                         o.volumes, {"equal", "tributary"});
+  o.gradient = section.choice_or(
+      {"gradient", "corrected: the paper's kernel sums; compatible: bonds that converge on clouds, too"},
+      o.gradient, {"corrected", "compatible"});
   o.kinematics = section.choice_or(
       {"kinematics", "tied: H = cof F, J = det F; evolved: unknowns of their own, (55), (56)"}, o.kinematics,
       {"tied", "evolved"});
@@ -25,6 +28,14 @@ MixedOptions MixedOptions::read(const Section& section, MixedOptions o) {
       {"update_every", "steps between updates of the reference, if option is not 0"}, o.update_every, 1);
   o.smooth_positions =
       section.flag_or({"smooth_positions", "particles move with the smoothed velocity"}, o.smooth_positions);
+  if (o.gradient == "compatible" && o.option > 0)
+    section.fail(
+        "option", "contradicts gradient = \"compatible\"",
+        "an update makes new constants of kernels, and compatible bonds are those of the body at rest",
+        "leave one of them out");
+  if (o.gradient == "compatible" && section.has("volumes"))
+    section.fail("volumes", "contradicts gradient = \"compatible\"", "its volumes are found with its bonds",
+                 "leave one of them out");
   o.list = section.number_or({"list", "radius of the list of neighbours over the spacing"}, o.list,
                              quantity::number, Sign::positive);
   if (o.list <= 1)
@@ -34,9 +45,11 @@ MixedOptions MixedOptions::read(const Section& section, MixedOptions o) {
 }
 
 std::string MixedOptions::in_words() const {
-  std::string text = fmt::format("{} volumes, {}, upwinding {}, list {:g} spacings", volumes,
+  std::string text = fmt::format("{}, {}, upwinding {}, list {:g} spacings",
+                                 gradient == "compatible" ? "compatible bonds" : volumes + " volumes",
                                  evolves_HJ() ? "F, H, J evolved" : "H = cof F, J = det F", upwind, list);
   if (option > 0) text += fmt::format(", reference by option {} every {} steps", option, update_every);
+  if (projects) text += ", projected onto forces without torque";
   if (smooth_positions) text += ", positions by the smoothed velocity";
   return text;
 }

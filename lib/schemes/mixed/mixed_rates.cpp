@@ -2,19 +2,13 @@
 #include "lib/schemes/blocks.hpp"
 #include "lib/schemes/mixed/mixed.hpp"
 #include "lib/schemes/mixed/smoothing.hpp"
-#include "lib/schemes/mixed/upwind_adjoint.hpp"
 #include "lib/schemes/mixed/upwind_constant.hpp"
 #include "lib/schemes/mixed/upwind_reconstructed.hpp"
+#include "lib/schemes/tlsph/parts/angular_momentum.hpp"
+#include "lib/schemes/upwind_adjoint.hpp"
 
 /// The right-hand side of (53) to (57) of paper 003, in three passes over the bonds: gradients, pairs, force.
 namespace plumb {
-namespace {
-
-/// Largest c_p/c_s that the adjoint upwinding follows; beyond, nearly incompressible bodies lose their energy
-/// to it (nu = 0.495 has 10: a column in tension loses 71 % of its energy).
-constexpr double most_speed_ratio = 5;
-
-}  // namespace
 
 template <int d>
 template <int W>
@@ -62,14 +56,24 @@ template <int W>
 void Mixed<d>::upwind_block(const State& state, const Field& F, const Block& block, State& rate) {
   const bool adjoint = options_.upwind == "adjoint";
   const double fastest = adjoint ? most_speed_ratio * shear_speed_ : pressure_speed_;
-  const UpwindSite<d> site{
-      bonds_, state.u, state.v, F, G_, stretch_, state.chi, std::min(pressure_speed_, fastest), shear_speed_};
+  const UpwindSite<d> site{bonds_.table, bonds_.impedance, state.u,   state.v,
+                           G_,           stretch_,         state.chi, std::min(pressure_speed_, fastest),
+                           shear_speed_};
+  using Real = Pack<W>;
+  const auto take = [&](Index i, const Vec<d, Real>& f, const Real& power, const Mat<d, Real>& Q) {
+    store_vector<d, W>(f, rate.v, i);
+    power.store(rate.heat[0] + i);
+    if (!adjoint) return;
+    Mat<d, Real> stress = load_tensor<d, W>(P_, i);
+    carry_by_stress<d, Real>(Q, inverse_transpose<d, Real>(load_tensor<d, W>(F, i)), stress);
+    store_tensor<d, W>(stress, P_, i);
+  };
   if (adjoint)
-    upwind_sweep<d, W, AdjointJump<d, W>>(site, block, rate.v, rate.heat, P_);
+    upwind_sweep<d, W, AdjointJump<d, W>>(site, block, take);
   else if (options_.upwind == "reconstructed")
-    upwind_sweep<d, W, ReconstructedJump<d, W>>(site, block, rate.v, rate.heat, P_);
+    upwind_sweep<d, W, ReconstructedJump<d, W>>(site, block, take);
   else
-    upwind_sweep<d, W, ConstantJump<d, W>>(site, block, rate.v, rate.heat, P_);
+    upwind_sweep<d, W, ConstantJump<d, W>>(site, block, take);
 }
 
 /// Acceleration by stress and pairs, and the rate of the positions.
@@ -97,7 +101,7 @@ void Mixed<d>::force_of_block(const State& state, const Block& block, State& rat
 }
 
 template <int d>
-std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State& rate) {
+std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State& rate, const Arm<d>& arm) {
   const BondTable<d>& t = bonds_.table;
   const Field& F = options_.evolves_F() ? state.F : F_;
   std::vector<char> sound(static_cast<std::size_t>(block_count(t)));
@@ -114,7 +118,18 @@ std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State
       for_blocks(t, [&](const Block& block) { upwind_block<W>(state, F, block, rate); });
     for_blocks(t, [&](const Block& block) { force_of_block<W>(state, block, rate); });
   });
+  if constexpr (d > 1)
+    if (options_.projects) {
+      const Arm<d> here = [&state](Index i) { return vector_at<d>(state.u, i); };
+      take_torque_off<d>(cloud(), t.slots, arm ? arm : here, turned_, rate.v);
+    }
   outside_.add_loads(time, &F, rate.v);
+  if (outside_.contact().empty()) return std::nullopt;
+  for (Index p = 0; p < cloud().size(); ++p) {
+    const Index i = t.slots.of(p);
+    x_[i] = cloud().X[p] + vector_at<d>(state.u, i);
+  }
+  outside_.add_contact(time, x_, no_anchors_, rate.v);
   return std::nullopt;
 }
 
@@ -135,9 +150,12 @@ std::optional<OpenAcceleration> Mixed<d>::open(const State& state, bool still) {
   return OpenAcceleration{rate_.v, outside_.loads()};
 }
 
-template std::optional<Trouble> Mixed<1>::evaluate(const MixedState<1>&, double, MixedState<1>&);
-template std::optional<Trouble> Mixed<2>::evaluate(const MixedState<2>&, double, MixedState<2>&);
-template std::optional<Trouble> Mixed<3>::evaluate(const MixedState<3>&, double, MixedState<3>&);
+template std::optional<Trouble> Mixed<1>::evaluate(const MixedState<1>&, double, MixedState<1>&,
+                                                   const Arm<1>&);
+template std::optional<Trouble> Mixed<2>::evaluate(const MixedState<2>&, double, MixedState<2>&,
+                                                   const Arm<2>&);
+template std::optional<Trouble> Mixed<3>::evaluate(const MixedState<3>&, double, MixedState<3>&,
+                                                   const Arm<3>&);
 template std::optional<Trouble> Mixed<1>::rates(const MixedState<1>&, double, MixedState<1>&);
 template std::optional<Trouble> Mixed<2>::rates(const MixedState<2>&, double, MixedState<2>&);
 template std::optional<Trouble> Mixed<3>::rates(const MixedState<3>&, double, MixedState<3>&);
