@@ -56,7 +56,7 @@ void Mixed<d>::meet(std::vector<RigidWall<d>> walls) {
 }
 
 template <int d>
-Arm<d> Mixed<d>::arm_of(int stage, double dt, const State& now) const {
+typename Mixed<d>::Arm Mixed<d>::arm_of(int stage, double dt, const State& now) const {
   if (!options_.projects) return {};
   const auto at = [](const Field& field, Index i) { return vector_at<d>(field, i); };
   if (stage == 0) return [&now, at, dt](Index i) -> Vec<d> { return at(now.u, i) - dt * at(now.v, i); };
@@ -165,7 +165,7 @@ std::optional<Trouble> Mixed<d>::advance(State& state, double dt) {
   int stage = 0;
   auto trouble = ssp_rk3_step(state, before_, rate_, slots(), dt,
                               [&](const State& now, double t, State& rate) -> std::optional<Trouble> {
-                                const Arm<d> arm = arm_of(stage, dt, now);
+                                const Arm arm = arm_of(stage, dt, now);
                                 if (auto wrong = evaluate(now, t, rate, arm)) return wrong;
                                 const double weight = ssp_rk3_weights[static_cast<std::size_t>(stage++)];
                                 outside_.hold(t, weight * dt, now.v, rate.v, rate.u);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -9,7 +10,6 @@
 #include "lib/schemes/mixed/mixed_options.hpp"
 #include "lib/schemes/outside.hpp"
 #include "lib/schemes/scheme.hpp"
-#include "lib/schemes/tlsph/loops/solid.hpp"
 
 namespace plumb {
 
@@ -54,6 +54,7 @@ class Mixed {
   const MixedBonds<d>& bonds() const { return bonds_; }
 
  private:
+  using Arm = std::function<Vec<d>(Index slot)>;
   Index slots() const { return bonds_.table.slots.count(); }
   Field make_field(int components) const { return {components, slots(), bonds_.table.margin}; }
   State make_state() const;
@@ -64,9 +65,9 @@ class Mixed {
   /// Makes the bonds those of the state's reference.
   void follow_reference(const State& state);
   /// Rates without supports. `arm`: of the projection, where the state is where it is empty.
-  std::optional<Trouble> evaluate(const State& state, double time, State& rate, const Arm<d>& arm = {});
+  std::optional<Trouble> evaluate(const State& state, double time, State& rate, const Arm& arm = {});
   /// Where the forces of a stage act in the change of angular momentum over a step, THEORY (5.5). [m]
-  Arm<d> arm_of(int stage, double dt, const State& now) const;
+  Arm arm_of(int stage, double dt, const State& now) const;
   void meet(std::vector<RigidWall<d>> walls);
   std::optional<Trouble> end_of_step(State& state);
   /// F, velocity gradients and stretches of one block, and the rates of F, H and J; false if a determinant is

@@ -4,7 +4,7 @@
 #include "lib/schemes/mixed/smoothing.hpp"
 #include "lib/schemes/mixed/upwind_constant.hpp"
 #include "lib/schemes/mixed/upwind_reconstructed.hpp"
-#include "lib/schemes/tlsph/parts/angular_momentum.hpp"
+#include "lib/schemes/torque.hpp"
 #include "lib/schemes/upwind_adjoint.hpp"
 
 /// The right-hand side of (53) to (57) of paper 003, in three passes over the bonds: gradients, pairs, force.
@@ -101,7 +101,7 @@ void Mixed<d>::force_of_block(const State& state, const Block& block, State& rat
 }
 
 template <int d>
-std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State& rate, const Arm<d>& arm) {
+std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State& rate, const Arm& arm) {
   const BondTable<d>& t = bonds_.table;
   const Field& F = options_.evolves_F() ? state.F : F_;
   std::vector<char> sound(static_cast<std::size_t>(block_count(t)));
@@ -120,7 +120,7 @@ std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State
   });
   if constexpr (d > 1)
     if (options_.projects) {
-      const Arm<d> here = [&state](Index i) { return vector_at<d>(state.u, i); };
+      const Arm here = [&state](Index i) { return vector_at<d>(state.u, i); };
       take_torque_off<d>(cloud(), t.slots, arm ? arm : here, turned_, rate.v);
     }
   outside_.add_loads(time, &F, rate.v);
@@ -150,12 +150,9 @@ std::optional<OpenAcceleration> Mixed<d>::open(const State& state, bool still) {
   return OpenAcceleration{rate_.v, outside_.loads()};
 }
 
-template std::optional<Trouble> Mixed<1>::evaluate(const MixedState<1>&, double, MixedState<1>&,
-                                                   const Arm<1>&);
-template std::optional<Trouble> Mixed<2>::evaluate(const MixedState<2>&, double, MixedState<2>&,
-                                                   const Arm<2>&);
-template std::optional<Trouble> Mixed<3>::evaluate(const MixedState<3>&, double, MixedState<3>&,
-                                                   const Arm<3>&);
+template std::optional<Trouble> Mixed<1>::evaluate(const MixedState<1>&, double, MixedState<1>&, const Arm&);
+template std::optional<Trouble> Mixed<2>::evaluate(const MixedState<2>&, double, MixedState<2>&, const Arm&);
+template std::optional<Trouble> Mixed<3>::evaluate(const MixedState<3>&, double, MixedState<3>&, const Arm&);
 template std::optional<Trouble> Mixed<1>::rates(const MixedState<1>&, double, MixedState<1>&);
 template std::optional<Trouble> Mixed<2>::rates(const MixedState<2>&, double, MixedState<2>&);
 template std::optional<Trouble> Mixed<3>::rates(const MixedState<3>&, double, MixedState<3>&);

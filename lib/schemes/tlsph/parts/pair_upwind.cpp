@@ -61,7 +61,7 @@ void sweep_pairs(const Solid<d>& solid, const State<d>& state, const Block& bloc
       });
 }
 
-/// Pairs, and the transpose of the gradients in their jumps by the loop of the internal force.
+/// Pairs, and the transpose of the gradients in their jumps by the loop of the internal force: THEORY (16.4).
 template <int d, int W>
 void add_pair_forces(const BondTable<d>& t, const Block& block, const PairArrays& a, BlockForce<d>& force) {
   using Real = Pack<W>;
