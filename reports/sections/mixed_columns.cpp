@@ -53,7 +53,8 @@ Job job_of(const PaperColumn& column, const ColumnScheme& scheme, int cells) {
 /// How far the tip is from where it should be; infinite if the run ended early.
 double error_of(const PaperColumn& column, const Json& run) {
   if (text(run, "status") != "completed") return std::numeric_limits<double>::infinity();
-  const auto x = run.at("probes").at("tip").at("position").get<std::vector<double>>();
+  const auto u = run.at("probes").at("tip").at("displacement").get<std::vector<double>>();
+  const std::vector<double> x{u[0] - 0.5, u[1] + 6, u[2] - 0.5};  // from (-0.5, 6, -0.5) m
   if (column.id == "tension") return std::abs(x[1] - column.right);
   if (column.id == "bending") return std::abs(x[0] - column.right);
   // turned from -135 degrees on, about y
@@ -92,7 +93,7 @@ Section write(const Results& results, const std::vector<int>& cells) {
           series.y.push_back(error);
         }
         table.rows.push_back(
-            {scheme.name, static_cast<double>(n), cpu, shown, number(run.at("energy"), "net_change")});
+            {scheme.name, static_cast<double>(n), cpu, shown, number(run.at("energy"), "relative_change")});
         table.jobs.push_back(id_of(column, scheme, n));
         jobs.push_back(id_of(column, scheme, n));
       }
