@@ -5,6 +5,13 @@
 #include "lib/schemes/tlsph/parts/pair_upwind.hpp"
 
 namespace plumb {
+namespace {
+
+/// Of the step that the body at rest bears: at all of it alternating motion of strained bodies grows (a column in bending by Verlet gained
+/// 1.3 % of its energy in 0.45 s, in twist it gained, too), at 0.78 of it none of three columns did.
+constexpr double borne_share = 0.75;
+
+}  // namespace
 
 std::optional<DissipationOptions> DissipationOptions::read(const Section& section) {
   DissipationOptions options;
@@ -21,7 +28,7 @@ std::string DissipationOptions::in_words() const {
 template <int d>
 void DissipationOptions::add_to(PartSite<d>& site) const {
   add_term(site.solid, pair_upwind_term(site.solid));
-  site.limit_step(pair_upwind_step_limit(site.solid, site.real_axis));
+  site.limit_step(borne_share * pair_upwind_step_limit(site.solid, site.real_axis));
 }
 
 template void DissipationOptions::add_to(PartSite<1>&) const;
