@@ -24,6 +24,8 @@ Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& ac
   outside_ = OutsideForces<d>(actions, specimen_.cloud, all, {specimen_.elastic.density, damping});
   volume_.assign(static_cast<std::size_t>(all.count()), 0.0);
   for (Index p = 0; p < cloud().size(); ++p) volume_[all.of(p)] = cloud().V[p];
+  loaded_ = actions.has_loads() || !walls.empty();
+  if (options_.diffuses_J) sigma_ = make_field(1);
   if (options_.projects) turned_.resize(cloud().X.size());
   if (!walls.empty()) meet(std::move(walls));
   shear_speed_ = elastic.shear_wave_speed();
@@ -72,6 +74,9 @@ typename Mixed<d>::Arm Mixed<d>::arm_of(int stage, double dt, const State& now) 
 template <int d>
 std::vector<std::string> Mixed<d>::warnings() const {
   std::vector<std::string> found = options_.warnings();
+  if (options_.diffuses_J && loaded_)
+    found.emplace_back(
+        "diffuses_J with loads or walls: its only state of rest has one Sigma_J everywhere, so that no body can bear a load at rest");
   // neighbours on a lattice: integer vectors within the list
   const int reach = static_cast<int>(options_.list);
   Index lattice = 0;

@@ -76,6 +76,9 @@ class Mixed {
   bool kinematics_of_block(const State& state, const Block& block, State& rate);
   template <int W>
   void upwind_block(const State& state, const Field& F, const Block& block, State& rate);
+  /// dJ += sum D^j of (59), (60), constant states.
+  template <int W>
+  void diffuse_block(const State& state, const Block& block, State& rate) const;
   template <int W>
   void force_of_block(const State& state, const Block& block, State& rate) const;
 
@@ -93,6 +96,8 @@ class Mixed {
   Field seen_chi_, seen_F_;     ///< the reference that the bonds are made for
   std::vector<Vec<3>> turned_;  ///< room of the projection
   std::vector<Vec<d>> x_;       ///< by slot: positions, where there are walls [m]
+  Field sigma_;                 ///< Sigma_J by slot, where it diffuses J [Pa]
+  bool loaded_ = false;         ///< loads or walls act on the body
   Field no_anchors_;            ///< walls have no friction
 };
 

@@ -16,6 +16,8 @@ struct MixedOptions {
       "corrected";  ///< corrected: kernel sums (41), (42) | compatible: the table of THEORY chapter 11
   std::string kinematics = "tied";  ///< tied: H = cof F, J = det F | evolved: by (55), (56)
   std::string upwind = "adjoint";   ///< none | constant | reconstructed, the paper's | adjoint
+  bool diffuses_J =
+      false;  ///< D^j of (59), (60): the jump of Sigma_J between pairs, constant states; kinematics evolved
   int option = 0;         ///< 0: the reference is never updated; 1 to 4: kernels of (49), (50), (51), (52)
   long update_every = 1;  ///< steps between updates of the reference, if option is not 0
   bool smooth_positions = false;  ///< particles move with the smoothed velocity, Algorithm 1, line 15

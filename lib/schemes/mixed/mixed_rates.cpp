@@ -76,6 +76,35 @@ void Mixed<d>::upwind_block(const State& state, const Field& F, const Block& blo
     upwind_sweep<d, W, ConstantJump<d, W>>(site, block, take);
 }
 
+template <int d>
+template <int W>
+void Mixed<d>::diffuse_block(const State& state, const Block& block, State& rate) const {
+  using Real = Pack<W>;
+  const BondTable<d>& t = bonds_.table;
+  const auto spatial = [&](const Mat<3, Real>& H, const Vec<d, Real>& c) {
+    Vec<d, Real> h = zero_vector<d, Real>();
+    for (int a = 0; a < d; ++a)
+      for (int b = 0; b < d; ++b) h[a] += H(a, b) * c[b];
+    return h;
+  };
+  const Real scale(
+      1 / (4 * specimen_.elastic.density * pressure_speed_));  // 2 rho c_p over the mean of two stretches
+  for (Index pack = block.first_pack; pack < block.end_pack; ++pack) {
+    const Index i = pack * W;
+    const Mat<3, Real> H = load_tensor<3, W>(state.H, i);
+    const Real own = Real::load(sigma_[0] + i), stretch = Real::load(stretch_[0] + i);
+    Real sum(0);
+    for_bonds<d, W>(t, pack, [&](std::int64_t n, Index j) {
+      const Vec<d, Real> c = bond_vector<d, W>(t.stencil, n), a = bond_vector<d, W>(t.force_weights(), n);
+      const Vec<d, Real> skew = c + a, h = spatial(H, c) + spatial(load_tensor<3, W>(state.H, j), a);
+      const Real area = sqrt(dot<d, Real>(skew, skew) + Real(1e-200));  // 0 where a lane lacks the neighbour
+      const Real both = stretch + Real::load(stretch_[0] + j);
+      sum += dot<d, Real>(h, h) / area * both * (Real::load(sigma_[0] + j) - own);
+    });
+    (Real::load(rate.J[0] + i) + scale * sum).store(rate.J[0] + i);
+  }
+}
+
 /// Acceleration by stress and pairs, and the rate of the positions.
 template <int d>
 template <int W>
@@ -110,12 +139,18 @@ std::optional<Trouble> Mixed<d>::evaluate(const State& state, double time, State
       char& good = sound[static_cast<std::size_t>(block.begin() / block_slots)];
       good = kinematics_of_block<W>(state, block, rate);
       if (good) law_.stress(state, F, block.begin(), block.end(), P_);
+      if (good && options_.diffuses_J) {
+        law_.of_volume(state, F, block.begin(), block.end(), sigma_);
+        for (Index i = block.begin(); i < block.end(); i += W)
+          least_stretch<d, Pack<W>>(load_tensor<d, W>(F, i)).store(stretch_[0] + i);
+      }
     });
   });
   if (std::find(sound.begin(), sound.end(), 0) != sound.end()) return find_trouble(state, F);
   with_width(t, [&]<int W>() {
     if (options_.upwind != "none")
       for_blocks(t, [&](const Block& block) { upwind_block<W>(state, F, block, rate); });
+    if (options_.diffuses_J) for_blocks(t, [&](const Block& block) { diffuse_block<W>(state, block, rate); });
     for_blocks(t, [&](const Block& block) { force_of_block<W>(state, block, rate); });
   });
   if constexpr (d > 1)

@@ -129,6 +129,64 @@ TEST(MixedWalls, ABodyMeetsAWallAndLeavesItAgain) {
   EXPECT_EQ(body.outside().contact().force(0), Vec<2>(0, 0));  // and nothing holds it
 }
 
+/// Largest |J/det F - 1|, and the energy that a rough motion has lost in .01 s.
+std::pair<double, double> diffused(bool diffuses) {
+  MixedOptions o = mixed_options("adjoint", "evolved");
+  o.diffuses_J = diffuses;
+  o.cfl = 0.5;
+  const Cloud<2> cloud = cube<2>(5);
+  Mixed<2> body = mixed_body(cloud, o);
+  MixedState<2> state = body.start(rough_motion(cloud, 0.05, 1));
+  const double E0 = body.energy(state).total();
+  EXPECT_TRUE(run_to(body, state, 0.01));
+  double most = 0;
+  for (Index p = 0; p < cloud.size(); ++p) {
+    const Index i = body.bonds().table.slots.of(p);
+    const double det = state.F[0][i] * state.F[3][i] - state.F[1][i] * state.F[2][i];
+    most = std::max(most, std::abs(state.J[0][i] / det - 1));
+  }
+  return {most, 1 - body.energy(state).total() / E0};
+}
+
+// J that diffuses is no determinant of F any more, and there is nothing that returns it.
+TEST(MixedDiffusion, TakesJAwayFromTheDeterminant) {
+  const auto [with, lost] = diffused(true);
+  const auto [without, less] = diffused(false);
+  EXPECT_GT(with, 100 * without);
+  EXPECT_GT(lost, less);
+}
+
+// (56), (59), (60) in 1D at rest but for J: V_a dJ_a = sum S^j (Sigma_b - Sigma_a) with S^j = A/(2 rho c_p), A = 1.
+TEST(MixedDiffusion, ValueOnAChain) {
+  MixedOptions o = mixed_options("none", "evolved");
+  o.diffuses_J = true;
+  Mixed<1> body = mixed_body(cube<1>(8), o);
+  MixedState<1> state = body.start({});
+  const Index middle = body.bonds().table.slots.of(4), beside = body.bonds().table.slots.of(3);
+  state.J[0][middle] = 1 + 1e-6;
+  MixedState<1> rate = state;
+  ASSERT_FALSE(body.rates(state, 0, rate));
+  // dSigma_J/dJ at rest of the law without share: kappa + (10/9) mu, by J^-2/3 F:F mu/2
+  const double slope = column_rubber.bulk_modulus() + 10.0 / 9 * 1.5 * column_rubber.shear_modulus();
+  const double d = body.cloud().spacing, S = 1 / (2 * column_rubber.density * column_rubber.wave_speed());
+  EXPECT_NEAR(rate.J[0][middle], -2 * S * slope * 1e-6 / d, 1e-5 * 2 * S * slope * 1e-6 / d);
+  EXPECT_NEAR(rate.J[0][beside], S * slope * 1e-6 / d, 1e-5 * S * slope * 1e-6 / d);
+}
+
+TEST(MixedDiffusion, WarnsWhereALoadActs) {
+  MixedOptions o = mixed_options("none", "evolved");
+  o.diffuses_J = true;
+  const auto warned = [&](const Actions<2>& actions) {
+    for (const std::string& warning : mixed_body(cube<2>(3), o, actions).warnings())
+      if (warning.find("diffuses_J with loads or walls") != std::string::npos) return true;
+    return false;
+  };
+  Actions<2> weight;
+  weight.body_forces.push_back({"weight", [](const Vec<2>&, double) { return Vec<2>(0, -1); }, true});
+  EXPECT_FALSE(warned({}));
+  EXPECT_TRUE(warned(weight));
+}
+
 TEST(MixedWarnings, OneSearchRadiusForAGradedCloud) {
   const auto warned = [](Cloud<2> cloud) {
     for (const std::string& warning : mixed_body(std::move(cloud), MixedOptions()).warnings())
