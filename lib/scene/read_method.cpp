@@ -237,6 +237,11 @@ Method read_method(const Section& root, const Body& body) {
         if (!section->has("alpha")) part->alpha = 1;
       }
   });
+  if (method.dissipation && method.momentum != "adjoint")
+    root.section("dissipation")
+        .fail("", fmt::format("contradicts momentum = \"{}\"", method.momentum),
+              "the transpose of its velocity gradients is the adjoint force",
+              "use momentum = \"adjoint\", or [jst]");
   if (method.pair == "none" && method.jst)
     root.section("jst").fail("", "contradicts pair = \"none\"", "its Laplacian has corrected kernels",
                              "leave it out");
@@ -252,6 +257,7 @@ void refuse_beside_mirror(const Section& root, Layout layout, const Method& meth
     refuse("method", "gradient", "compatible area vectors end at the surface, where particles must lie");
   if (method.momentum == "variational")
     refuse("method", "momentum", "its correction needs particles on the surface, and has no bonds to images");
+  if (root.has("dissipation")) refuse("dissipation", "", "its pairs have no images behind a roller");
   if (root.has("hourglass")) refuse("hourglass", "", "the hourglass energy has no bonds to images");
   if (root.has("projection")) refuse("projection", "", "images exert a torque that is not to be taken away");
 }

@@ -60,12 +60,22 @@ void read_scheme(const Section& root, Method& method) {
   if (method.cfl)
     method.mixed.cfl = method.updated.cfl = method.eulerian.cfl = method.element.cfl = *method.cfl;
   if (!has_own_body(method.scheme)) return;
+  method.mixed.projects = method.scheme == "mixed" && root.has("projection");
+  if (method.mixed.projects && method.mixed.smooth_positions)
+    root.section("projection")
+        .fail("", "contradicts [mixed] smooth_positions = true",
+              "angular momentum is kept about points that move with the velocity, and smoothed ones do not",
+              "leave one of them out");
   if (by_newton && root.has("damping"))
     root.section("damping").fail("", "contradicts solve = \"newton\"",
                                  "Newton's method looks for equilibria, or keeps the energy of a motion",
                                  "use [element] solve = \"explicit\", or leave it out");
-  for (const char* name : {"jst", "hourglass", "projection", "compatible"})
-    if (root.has(name))
+  if (method.scheme == "mixed" && root.has("dissipation"))
+    root.section("dissipation")
+        .fail("", "contradicts scheme = \"mixed\"", "its pairs dissipate as [mixed] upwind says",
+              "leave it out, or set [mixed] upwind = \"adjoint\"");
+  for (const char* name : {"jst", "dissipation", "hourglass", "projection", "compatible"})
+    if (root.has(name) && !(method.mixed.projects && std::string_view(name) == "projection"))
       root.section(name).fail("", fmt::format("contradicts scheme = \"{}\"", method.scheme),
                               "it is a part of scheme = \"tlsph\"", "leave one of them out");
 }

@@ -19,6 +19,7 @@
 #include "lib/schemes/implicit/implicit_options.hpp"
 #include "lib/schemes/mixed/mixed_options.hpp"
 #include "lib/schemes/tlsph/parts/damping.hpp"
+#include "lib/schemes/tlsph/parts/dissipation_options.hpp"
 #include "lib/schemes/tlsph/parts/hourglass_options.hpp"
 #include "lib/schemes/tlsph/parts/jst_options.hpp"
 #include "lib/schemes/tlsph/parts/projection_options.hpp"
@@ -110,11 +111,12 @@ struct Method {
   std::optional<double> time_step;          ///< fixed [s]; nullopt if cfl is set
   std::string wave_speed =
       "linear";  ///< linear | stretch | stretch-inverse: 000 (32): linear costs nothing and is constant
-  std::optional<JstOptions> jst;                ///< absent: no dissipation
-  std::optional<HourglassOptions> hourglass;    ///< absent: no hourglass energy
-  std::optional<ProjectionOptions> projection;  ///< absent: the force may have a torque
-  std::optional<DampingOptions> damping;        ///< absent: no damping
-  MixedOptions mixed;                           ///< of scheme "mixed" only
+  std::optional<JstOptions> jst;                  ///< absent: no dissipation
+  std::optional<DissipationOptions> dissipation;  ///< absent: pairs take no energy
+  std::optional<HourglassOptions> hourglass;      ///< absent: no hourglass energy
+  std::optional<ProjectionOptions> projection;    ///< absent: the force may have a torque
+  std::optional<DampingOptions> damping;          ///< absent: no damping
+  MixedOptions mixed;                             ///< of scheme "mixed" only
   ImplicitOptions implicit;  ///< of scheme "implicit", and of elements that Newton's method moves
   UpdatedOptions updated;    ///< of scheme "updated" only
   EulerianOptions eulerian;  ///< of scheme "eulerian" only
@@ -126,6 +128,7 @@ struct Method {
 template <class AnyMethod, class Use>
 void for_each_part(AnyMethod& method, Use&& use) {
   use(method.jst);
+  use(method.dissipation);
   use(method.hourglass);
   use(method.projection);  // takes the torque off what stands before it
   use(method.damping);

@@ -56,7 +56,10 @@ Simulation<d> simulation_of(const Scene& scene, SchemeStart<d> start) {
                             start.motion, control);
   if (scene.method.scheme == "element")
     return element_simulation<d>(std::move(specimen), scene, std::move(start));
-  return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions, damping_of(scene)),
+  std::optional<Surface<d>> surface;
+  if (scene.method.mixed.gradient == "compatible") surface = surface_of<d>(scene.body, specimen.cloud);
+  return as_simulation<d>(Mixed<d>(std::move(specimen), scene.method.mixed, start.actions, damping_of(scene),
+                                   std::move(start.walls), surface),
                           start.motion, control);
 }
 

@@ -49,6 +49,7 @@ std::vector<UnusedKey> keys_unused_by(StudyOf use) {
     keys.push_back(
         {"expect", "velocity_l2", "nothing moves, so that this order would never be judged", true});
     keys.push_back({"jst", "", "nothing moves"});
+    keys.push_back({"dissipation", "", "nothing moves"});
   } else {
     keys.push_back({"expect", "", "it declares orders of a displacement, and no order is judged here"});
     for (const char* key : {"eta2", "eta4", "outer"})

@@ -189,6 +189,13 @@ void refuse_walls(const Section& root, const Scene& scene) {
   if (scene.contacts.empty() && scene.others.empty()) return;
   const Section section = root.sections(scene.contacts.empty() ? "body" : "contact").front();
   const std::string& scheme = scene.method.scheme;
+  if (scheme == "mixed" && scene.others.empty()) {
+    for (const ContactOptions& contact : scene.contacts)
+      if (contact.friction > 0)
+        section.fail("friction", "contradicts scheme = \"mixed\"", "its stages have no history of slip",
+                     "leave it out, or use scheme = \"updated\" or \"eulerian\"");
+    return;
+  }
   if (scheme != "updated" && scheme != "eulerian")
     section.fail("", fmt::format("contradicts scheme = \"{}\"", scheme), "that scheme has no contact",
                  scene.others.empty() ? "use scheme = \"updated\" or \"eulerian\", or [[boundary]]"

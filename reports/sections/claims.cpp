@@ -26,7 +26,7 @@ const std::vector<Part> parts{
     {"5.4", "Paper 000, section 5.4: pulling column", {"000-5.4"}},
     {"5.5", "Paper 000, section 5.5: twisting column", {"000-5.5"}},
     {"002", "Paper 002: updated Lagrangian SPH", {"002-2", "002-5"}},
-    {"003", "Paper 003: the mixed system", {"003-2-6", "003-8.1"}},
+    {"003", "Paper 003: the mixed system", {"003-2-6", "003-8.1", "003-8.2-8.4"}},
     {"004", "Paper 004: implicit equilibria", {"004-6.1", "004-6.2", "004-6.3", "004-6.6", "004-equations"}}};
 /// Sections of paper 000 in which no claim may be left open.
 const std::vector<std::string> closed{"4", "5.1", "5.2", "5.3"};

@@ -79,6 +79,9 @@ const std::set<std::pair<std::string, std::string>> computed{
     {"budget", "energy"},
     {"column-work", "error, adjoint reference"},
     {"column-work", "error, reference of the paper's scheme"},
+    {"mixed-columns-tension", "error"},  // Drawn.TheErrorsOfTheColumnsOfPaper003AreThoseOfTheirTips
+    {"mixed-columns-bending", "error"},
+    {"mixed-columns-twist", "error"},
     {"compatible-evidence", "CPU time"},
     {"near-incompressible", "order from d = 0.2 at 0.49995"},
     {"compatible-columns", "length over that at the start"},

@@ -79,6 +79,11 @@ BlockLaw<d> evolved_law(const Polyconvex& law) {
         for (int b = 0; b < d; ++b) (sigma.F(a, b) + cross(a, b) + sigma.J * H(a, b)).store(P[a * d + b] + i);
     });
   };
+  made.of_volume = [law](const MixedState<d>& state, const Field& F, Index begin, Index end, Field& sigma) {
+    for (Index i = begin; i < end; ++i)
+      sigma[0][i] =
+          law.conjugates<double>(whole_gradient<d>(F, i), gradient_of<3>(state.H, i), state.J[0][i]).J;
+  };
   made.energy = [law](const MixedState<d>& state, const Field& F, const double* volume, Index begin,
                       Index end) {
     double sum = 0;

@@ -24,6 +24,9 @@ struct BlockLaw {
   std::function<double(const MixedState<d>&, const Field& F, const double* volume, Index begin, Index end)>
       energy;
   std::function<WholePoint(const MixedState<d>&, const Field& F, Index slot)> whole;
+  /// Sigma_J of the slots [begin, end) [Pa], of laws of F, H and J; empty otherwise.
+  std::function<void(const MixedState<d>&, const Field& F, Index begin, Index end, Field& sigma)> of_volume =
+      {};
   /// With a history: sum V times the potential of the increment from it [J], and dP/dF of the increment [Pa]; empty without.
   std::function<double(const MixedState<d>&, const Field& F, const double* volume, Index begin, Index end)>
       potential;

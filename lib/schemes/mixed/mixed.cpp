@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "lib/schemes/blend.hpp"
 #include "lib/schemes/blocks.hpp"
@@ -12,15 +14,20 @@
 namespace plumb {
 
 template <int d>
-Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions, double damping)
+Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions, double damping,
+                std::vector<RigidWall<d>> walls, const std::optional<Surface<d>>& surface)
     : specimen_(std::move(specimen)), options_(std::move(options)) {
   const Elastic elastic = in_dimension(d, specimen_.elastic, specimen_.law.plane);
   law_ = block_law<d>(specimen_.law, specimen_.elastic, options_.evolves_HJ());
-  bonds_ = make_mixed_bonds<d>(specimen_.cloud, options_, elastic.density);
+  bonds_ = make_mixed_bonds<d>(specimen_.cloud, options_, elastic.density, surface);
   const Slots& all = bonds_.table.slots;
   outside_ = OutsideForces<d>(actions, specimen_.cloud, all, {specimen_.elastic.density, damping});
   volume_.assign(static_cast<std::size_t>(all.count()), 0.0);
   for (Index p = 0; p < cloud().size(); ++p) volume_[all.of(p)] = cloud().V[p];
+  loaded_ = actions.has_loads() || !walls.empty();
+  if (options_.diffuses_J) sigma_ = make_field(1);
+  if (options_.projects) turned_.resize(cloud().X.size());
+  if (!walls.empty()) meet(std::move(walls));
   shear_speed_ = elastic.shear_wave_speed();
   pressure_speed_ = elastic.wave_speed();
   F_ = make_field(d * d);
@@ -29,6 +36,63 @@ Mixed<d>::Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& ac
   stretch_ = make_field(1);
   before_ = make_state();
   rate_ = make_state();
+}
+
+/// Slots without a particle are of a body that no wall knows.
+template <int d>
+void Mixed<d>::meet(std::vector<RigidWall<d>> walls) {
+  const auto count = static_cast<std::size_t>(slots());
+  x_.assign(count, Vec<d>::Zero());
+  std::vector<double> mass(count, std::numeric_limits<double>::infinity());
+  std::vector<int> body(count, 1);
+  for (Index p = 0; p < cloud().size(); ++p) {
+    const Index i = bonds_.table.slots.of(p);
+    x_[i] = cloud().X[p];
+    mass[i] = specimen_.elastic.density * cloud().V[p];
+    body[i] = 0;
+  }
+  for (RigidWall<d>& wall : walls) wall.body = 0;
+  Contact<d> contact(std::move(walls), x_, std::move(mass), cloud().spacing / 2);
+  contact.meet(std::move(body), std::numeric_limits<double>::infinity());
+  outside_.touch(std::move(contact));
+}
+
+template <int d>
+typename Mixed<d>::Arm Mixed<d>::arm_of(int stage, double dt, const State& now) const {
+  if (!options_.projects) return {};
+  const auto at = [](const Field& field, Index i) { return vector_at<d>(field, i); };
+  if (stage == 0) return [&now, at, dt](Index i) -> Vec<d> { return at(now.u, i) - dt * at(now.v, i); };
+  if (stage == 1)
+    return [this, &now, at, dt](Index i) -> Vec<d> {
+      return at(before_.u, i) + dt / 6 * (at(now.v, i) - at(before_.v, i));
+    };
+  return [this, &now, at, dt](Index i) -> Vec<d> {
+    return 1.0 / 3 * at(before_.u, i) + 2.0 / 3 * (at(now.u, i) + dt * at(now.v, i));
+  };
+}
+
+template <int d>
+std::vector<std::string> Mixed<d>::warnings() const {
+  std::vector<std::string> found = options_.warnings();
+  if (options_.diffuses_J && loaded_)
+    found.emplace_back(
+        "diffuses_J with loads or walls: its only state of rest has one Sigma_J everywhere, so that no body can bear a load at rest");
+  // neighbours on a lattice: integer vectors within the list
+  const int reach = static_cast<int>(options_.list);
+  Index lattice = 0;
+  for (int n = 0, all = static_cast<int>(std::pow(2 * reach + 1, d)); n < all; ++n) {
+    double square = 0;
+    for (int k = 0, rest = n; k < d; ++k, rest /= 2 * reach + 1)
+      square += std::pow(rest % (2 * reach + 1) - reach, 2);
+    lattice += square > 0 && square < options_.list * options_.list;
+  }
+  // half as many again: layers that are 1.5 times as dense. Clouds of even layers have fewer
+  if (const Index most = bonds_.table.most_neighbours; 2 * most > 3 * lattice)
+    found.push_back(fmt::format(
+        "one search radius for a graded cloud: particles have up to {} neighbours, {:.3g} in the mean, where a lattice has {}; "
+        "where they are dense the upwinding hardly sees alternating motion, and large strains end early: use even layers",
+        most, static_cast<double>(bonds_.table.pairs) / static_cast<double>(cloud().size()), lattice));
+  return found;
 }
 
 template <int d>
@@ -87,7 +151,9 @@ template <int d>
 double Mixed<d>::step_limit(const State& state) {
   follow_reference(state);
   const Field& F = gradients(state);
-  return options_.cfl * crossing_time_of(bonds_.table, state.u, F, stretch_) / pressure_speed_;
+  const double by_waves =
+      options_.cfl * crossing_time_of(bonds_.table, state.u, F, stretch_) / pressure_speed_;
+  return outside_.contact().empty() ? by_waves : std::min(by_waves, outside_.contact().step_limit());
 }
 
 template <int d>
@@ -101,11 +167,13 @@ std::optional<Trouble> Mixed<d>::advance(State& state, double dt) {
     state.outside = work;
   };
   outside_.begin_step(dt, state.v, state.outside);
-  const double* weight = ssp_rk3_weights.data();
+  int stage = 0;
   auto trouble = ssp_rk3_step(state, before_, rate_, slots(), dt,
                               [&](const State& now, double t, State& rate) -> std::optional<Trouble> {
-                                if (auto wrong = evaluate(now, t, rate)) return wrong;
-                                outside_.hold(t, *weight++ * dt, now.v, rate.v, rate.u);
+                                const Arm arm = arm_of(stage, dt, now);
+                                if (auto wrong = evaluate(now, t, rate, arm)) return wrong;
+                                const double weight = ssp_rk3_weights[static_cast<std::size_t>(stage++)];
+                                outside_.hold(t, weight * dt, now.v, rate.v, rate.u);
                                 return std::nullopt;
                               });
   if (!trouble) {
@@ -213,13 +281,16 @@ std::vector<Statement> Mixed<d>::account() const {
   said.push_back({"bonds",
                   fmt::format("each particle has at most {} neighbours; its constants serve F and the force",
                               bonds_.table.most_neighbours),
-                  "003 (41), (42)"});
+                  options_.gradient == "compatible" ? "THEORY (11.4)" : "003 (41), (42)"});
   if (options_.upwind != "none")
     said.push_back({"upwinding",
                     options_.upwind == "adjoint"
                         ? "pairs dissipate by the form R^T S R, which keeps both momenta"
                         : "pairs dissipate; angular momentum is not kept",
                     "003 (59), (60)"});
+  if (options_.projects)
+    said.push_back(
+        {"projection", "internal forces lose their torque by the least change", "003 (64) to (67)"});
   if (options_.option > 0)
     said.push_back(
         {"reference", fmt::format("moves every {} steps", options_.update_every), "003 (49) to (52)"});

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,11 @@ class Mixed {
   using Options = MixedOptions;
   using State = MixedState<d>;
 
-  /// `damping`: rate [1/s], THEORY (6.7). InputError where the neighbours of a particle do not span the space, or the law does not go with the
-  /// options.
-  Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions, double damping = 0);
+  /// `damping`: rate [1/s], THEORY (6.7); `walls`: without friction, what the body may touch and leave again; `surface`: of the
+  /// body, for compatible bonds. InputError where the neighbours of a particle do not span the space, or the law does not go with
+  /// the options.
+  Mixed(Specimen<d> specimen, MixedOptions options, const Actions<d>& actions, double damping = 0,
+        std::vector<RigidWall<d>> walls = {}, const std::optional<Surface<d>>& surface = {});
 
   /// At rest in the reference where the motion has no entries.
   State start(const InitialMotion<d>& motion);
@@ -45,12 +48,13 @@ class Mixed {
   static constexpr int evaluations_per_step = 3;
   const Slots& layout() const { return bonds_.table.slots; }
   NeighbourCounts neighbours() const { return {bonds_.table.pairs, bonds_.table.most_neighbours}; }
-  std::vector<std::string> warnings() const { return options_.warnings(); }
+  std::vector<std::string> warnings() const;
 
   const Cloud<d>& cloud() const { return specimen_.cloud; }
   const MixedBonds<d>& bonds() const { return bonds_; }
 
  private:
+  using Arm = std::function<Vec<d>(Index slot)>;
   Index slots() const { return bonds_.table.slots.count(); }
   Field make_field(int components) const { return {components, slots(), bonds_.table.margin}; }
   State make_state() const;
@@ -60,8 +64,11 @@ class Mixed {
   std::optional<Trouble> find_trouble(const State& state, const Field& F) const;
   /// Makes the bonds those of the state's reference.
   void follow_reference(const State& state);
-  /// Rates without supports.
-  std::optional<Trouble> evaluate(const State& state, double time, State& rate);
+  /// Rates without supports. `arm`: of the projection, where the state is where it is empty.
+  std::optional<Trouble> evaluate(const State& state, double time, State& rate, const Arm& arm = {});
+  /// Where the forces of a stage act in the change of angular momentum over a step, THEORY (5.5). [m]
+  Arm arm_of(int stage, double dt, const State& now) const;
+  void meet(std::vector<RigidWall<d>> walls);
   std::optional<Trouble> end_of_step(State& state);
   /// F, velocity gradients and stretches of one block, and the rates of F, H and J; false if a determinant is
   /// not positive.
@@ -69,6 +76,9 @@ class Mixed {
   bool kinematics_of_block(const State& state, const Block& block, State& rate);
   template <int W>
   void upwind_block(const State& state, const Field& F, const Block& block, State& rate);
+  /// dJ += sum D^j of (59), (60), constant states.
+  template <int W>
+  void diffuse_block(const State& state, const Block& block, State& rate) const;
   template <int W>
   void force_of_block(const State& state, const Block& block, State& rate) const;
 
@@ -83,7 +93,12 @@ class Mixed {
   // room for one evaluation, by slot
   Field F_, G_, P_, stretch_;
   State before_, rate_;
-  Field seen_chi_, seen_F_;  ///< the reference that the bonds are made for
+  Field seen_chi_, seen_F_;     ///< the reference that the bonds are made for
+  std::vector<Vec<3>> turned_;  ///< room of the projection
+  std::vector<Vec<d>> x_;       ///< by slot: positions, where there are walls [m]
+  Field sigma_;                 ///< Sigma_J by slot, where it diffuses J [Pa]
+  bool loaded_ = false;         ///< loads or walls act on the body
+  Field no_anchors_;            ///< walls have no friction
 };
 
 }  // namespace plumb

@@ -7,22 +7,44 @@
 #include "lib/schemes/mixed/kernel_sums.hpp"
 #include "lib/schemes/mixed/smoothing.hpp"
 #include "lib/schemes/tlsph/bonds/each_bond.hpp"
+#include "lib/schemes/tlsph/bonds/estimator.hpp"
 #include "lib/schemes/tlsph/bonds/forms/adjoint.hpp"
+#include "lib/schemes/tlsph/compatible/compatible.hpp"
+#include "lib/schemes/tlsph/compatible/lattice_closure.hpp"
+#include "lib/schemes/upwind.hpp"
 
 namespace plumb {
 namespace {
 
 /// Makes a table of the scheme's neighbour list with constants g_ab and the adjoint form.
 template <int d>
-BondTable<d> material_table(Cloud<d>& cloud, const MixedOptions& options, KernelSums& sums) {
+BondTable<d> material_table(Cloud<d>& cloud, const MixedOptions& options,
+                            const std::optional<Surface<d>>& surface, KernelSums& sums) {
   BondOptions<d> o;
   o.kernel = radial_kernel<d, Quadratic>();
   o.smoothing_length = options.list * cloud.spacing / Quadratic::support;
+  o.momentum = {&Adjoint::other<d>, &Adjoint::own<d>};
+  if (options.gradient == "compatible") {
+    o.pair = Correction::W1;
+    o.estimator = estimator_named<d>("improved");
+    if (reason_against_closure<d>(cloud, options.list * cloud.spacing)) {
+      CompatibleOptions<d> how;
+      if (surface) how.surface = [surface](const Cloud<d>&) { return *surface; };
+      project_compatible(o, how);
+    } else {
+      close_on_lattice<d>(o, cloud);
+    }
+    o.project = [&, inner = o.project](Cloud<d>& all, const Neighbours& list,
+                                       std::vector<std::vector<BondConstants<d>>>& bonds) {
+      sums = kernel_sums<d>(all, list, true);
+      if (inner) inner(all, list, bonds);
+    };
+    return make_bond_table<d>(cloud, o);
+  }
   o.pair = Correction::none;
   o.estimator = [](Neighbourhood<d> seen, const CorrectedKernel<d>&) {
     return std::vector<Vec<d>>(seen.size(), Vec<d>::Zero());  // they are made all together
   };
-  o.momentum = {&Adjoint::other<d>, &Adjoint::own<d>};
   o.project = [&](Cloud<d>& all, const Neighbours& list, std::vector<std::vector<BondConstants<d>>>& bonds) {
     sums = kernel_sums<d>(all, list, options.volumes == "equal");
     for (Index a = 0; a < all.size(); ++a) {
@@ -79,10 +101,11 @@ std::vector<std::int64_t> reverse_places(const BondTable<d>& t) {
 }  // namespace
 
 template <int d>
-MixedBonds<d> make_mixed_bonds(Cloud<d>& cloud, const MixedOptions& options, double density) {
+MixedBonds<d> make_mixed_bonds(Cloud<d>& cloud, const MixedOptions& options, double density,
+                               const std::optional<Surface<d>>& surface) {
   MixedBonds<d> bonds;
   KernelSums sums;
-  bonds.table = material_table<d>(cloud, options, sums);
+  bonds.table = material_table<d>(cloud, options, surface, sums);
   if (options.option > 0) {
     bonds.table = with_own_rows(bonds.table);
     bonds.reverse = reverse_places(bonds.table);
@@ -96,17 +119,7 @@ MixedBonds<d> make_mixed_bonds(Cloud<d>& cloud, const MixedOptions& options, dou
     bonds.volume[0][slot] = sums.volume[p];
     bonds.strength[0][slot] = sums.volume[p] / std::pow(sums.h[p], d);
   }
-  bonds.impedance.assign(t.offset.size() * static_cast<std::size_t>(t.width), 0.0);
-  for (std::size_t n = 0; n < t.offset.size(); ++n)
-    for (int lane = 0; lane < t.width; ++lane) {
-      double square = 0;
-      for (int k = 0; k < d; ++k) {
-        const std::size_t place = (n * d + k) * t.width + lane;
-        const double skew = t.stencil[place] + t.force_weights()[place];
-        square += skew * skew;
-      }
-      bonds.impedance[n * t.width + lane] = 0.5 * density * std::sqrt(square);
-    }
+  bonds.impedance = pair_impedance(t, density);
   if (options.smooth_positions) make_smoothing(bonds);
   return bonds;
 }
@@ -114,8 +127,11 @@ MixedBonds<d> make_mixed_bonds(Cloud<d>& cloud, const MixedOptions& options, dou
 template struct MixedBonds<1>;
 template struct MixedBonds<2>;
 template struct MixedBonds<3>;
-template MixedBonds<1> make_mixed_bonds<1>(Cloud<1>&, const MixedOptions&, double);
-template MixedBonds<2> make_mixed_bonds<2>(Cloud<2>&, const MixedOptions&, double);
-template MixedBonds<3> make_mixed_bonds<3>(Cloud<3>&, const MixedOptions&, double);
+template MixedBonds<1> make_mixed_bonds<1>(Cloud<1>&, const MixedOptions&, double,
+                                           const std::optional<Surface<1>>&);
+template MixedBonds<2> make_mixed_bonds<2>(Cloud<2>&, const MixedOptions&, double,
+                                           const std::optional<Surface<2>>&);
+template MixedBonds<3> make_mixed_bonds<3>(Cloud<3>&, const MixedOptions&, double,
+                                           const std::optional<Surface<3>>&);
 
 }  // namespace plumb

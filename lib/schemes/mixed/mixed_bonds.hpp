@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "lib/material/material.hpp"
 #include "lib/schemes/mixed/mixed_options.hpp"
 #include "lib/schemes/tlsph/bonds/bond_table.hpp"
+#include "lib/schemes/tlsph/compatible/boundary_vectors.hpp"
 
 namespace plumb {
 
@@ -24,9 +26,11 @@ struct MixedBonds {
   std::vector<std::int64_t> reverse;
 };
 
-/// Bonds of the material configuration. InputError where neighbours do not span the space.
+/// Bonds of the material configuration. `surface`: of the body, for compatible bonds, which may change the cloud's volumes; that
+/// of its box where there is none. InputError where neighbours do not span the space.
 template <int d>
-MixedBonds<d> make_mixed_bonds(Cloud<d>& cloud, const MixedOptions& options, double density);
+MixedBonds<d> make_mixed_bonds(Cloud<d>& cloud, const MixedOptions& options, double density,
+                               const std::optional<Surface<d>>& surface = {});
 
 /// Moves the reference to the positions X + chi, where the deformation gradient is F: options 2 to 4 make new
 /// constants, all options new impedances unless the upwinding is the adjoint one. `volume`: V_a by slot

@@ -11,14 +11,20 @@ class Section;
 struct MixedOptions {
   static constexpr std::string_view section = "mixed", subject = "mixed", theory = "THEORY (16.1)";
 
-  std::string volumes = "equal";    ///< weights in the kernel sums: equal | tributary, as (41) has them
+  std::string volumes = "equal";  ///< weights in the kernel sums: equal | tributary, as (41) has them
+  std::string gradient =
+      "corrected";  ///< corrected: kernel sums (41), (42) | compatible: the table of THEORY chapter 11
   std::string kinematics = "tied";  ///< tied: H = cof F, J = det F | evolved: by (55), (56)
   std::string upwind = "adjoint";   ///< none | constant | reconstructed, the paper's | adjoint
+  bool diffuses_J =
+      false;  ///< D^j of (59), (60): the jump of Sigma_J between pairs, constant states; kinematics evolved
   int option = 0;         ///< 0: the reference is never updated; 1 to 4: kernels of (49), (50), (51), (52)
   long update_every = 1;  ///< steps between updates of the reference, if option is not 0
   bool smooth_positions = false;  ///< particles move with the smoothed velocity, Algorithm 1, line 15
   double list = 1.75;             ///< radius of the neighbour list over the spacing
-  double cfl = 0.9;               ///< alpha of (62); [method] cfl of a scene
+  bool projects =
+      false;         ///< internal forces lose their torque, (64) to (67); the section [projection] of a scene
+  double cfl = 0.9;  ///< alpha of (62); [method] cfl of a scene
 
   bool evolves_HJ() const { return kinematics == "evolved"; }
   /// F is an unknown of its own where it cannot be found from the positions.

@@ -1,5 +1,5 @@
 #pragma once
-#include "lib/schemes/mixed/upwind.hpp"
+#include "lib/schemes/upwind.hpp"
 
 namespace plumb {
 

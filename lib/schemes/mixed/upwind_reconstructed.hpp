@@ -1,5 +1,5 @@
 #pragma once
-#include "lib/schemes/mixed/upwind.hpp"
+#include "lib/schemes/upwind.hpp"
 
 namespace plumb {
 
@@ -16,7 +16,7 @@ struct ReconstructedJump {
     if (moved) chi = load_vector<d, W>(where.chi, i);
   }
   Vec<d, Real> operator()(std::int64_t n, Index j, const Vec<d, Real>& dv, const Vec<d, Real>&) const {
-    Vec<d, Real> arm = bond_vector<d, W>(site.bonds.table.separation, n), w = dv;
+    Vec<d, Real> arm = bond_vector<d, W>(site.table.separation, n), w = dv;
     for (int k = 0; k < d && moved; ++k) arm[k] += Real::load(site.chi[k] + j) - chi[k];
     for (int a = 0; a < d; ++a)
       for (int b = 0; b < d; ++b)

@@ -10,6 +10,17 @@
 /// advances a body or asks for its forces reads it.
 namespace plumb {
 
+/// What terms must know of all blocks before any force; nothing runs if none asks for it.
+template <int d>
+void look_ahead(const Solid<d>& solid, const Instant<d>& now) {
+  const Index blocks = solid.blocks();
+  for (const auto& term : now.terms) {
+    if (!term.before) continue;
+#pragma omp parallel for schedule(static) if (blocks >= blocks_for_threads)
+    for (Index b = 0; b < blocks; ++b) term.before(solid, solid.block(b), now);
+  }
+}
+
 /// Stress of one block and what terms do with it; false if some J is not positive or not a number.
 template <int d>
 bool find_stress(const Solid<d>& solid, Workspace<d>& workspace, const Instant<d>& now, const Block& block) {
@@ -91,6 +102,7 @@ Outcome evaluate(const Solid<d>& solid, const std::vector<Term<d>>& terms, Works
                  State<d>& state, double time, Update&& update, const Arm<d>& arm = {}) {
   prepare(workspace, solid, terms);
   const Instant<d> now{state, time, workspace, terms};
+  look_ahead(solid, now);
   const Index shares = workspace.P.shares();
   const auto force = [&](Index b) { find_force(solid, workspace, now, solid.block(b), update); };
   bool sound = true;

@@ -48,6 +48,9 @@ struct Term {
   std::string name;
   std::size_t bytes = 0;        ///< of its own arrays
   double bytes_per_update = 0;  ///< read and written at each evaluation, as in THEORY (10.8)
+  /// Runs for all blocks before any stress; may read displacement and velocity of slots that share a bond, and write the term's own
+  /// arrays, which `first` may then read of slots that share a bond.
+  std::function<void(const Solid<d>&, const Block&, const Instant<d>&)> before = {};
   /// Runs with the stress; may read displacement and velocity of slots that share a bond and write the term's
   /// own arrays.
   std::function<void(const Solid<d>&, const Block&, const Instant<d>&)> first;
