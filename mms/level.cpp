@@ -25,6 +25,19 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// A shape lies inside of the solution's domain, and is displaced on its whole surface.
+template <int d>
+void check_shape(const Study& study, const Domain<d>& domain, const Box<d>& box) {
+  const std::string what = fmt::format("a body of shape \"{}\" in this study", study.body.shape);
+  if (study.method.scheme != "implicit")
+    throw InputError(what, "conditions of the solution hold on the faces of its domain only",
+                     "Use plumb static with scheme = \"implicit\", which displaces the whole surface.");
+  const double slack = 1e-9 * domain.box.size.maxCoeff();
+  if (domain.shape != Domain<d>::Shape::box || ((domain.box.origin - box.origin).array() > slack).any() ||
+      ((box.origin + box.size - domain.box.origin - domain.box.size).array() > slack).any())
+    throw InputError(what, "it leaves the domain of the solution", "Use a smaller one, or move it.");
+}
+
 /// The box of the study must be the solution's domain: its face conditions hold nowhere else.
 template <int d>
 void check_domain(const Study& study, const Manufactured<d>& solution) {
@@ -32,6 +45,11 @@ void check_domain(const Study& study, const Manufactured<d>& solution) {
   if (domain.shape != Domain<d>::Shape::box && wants_gauss(study))
     throw InputError(fmt::format("Gauss norms of {}", solution.name),
                      "its domain is an annulus, the tiles are boxes", "Use quadrature = \"nodal\".");
+  if (study.body.shape != "box") {
+    const Box<d> box{Eigen::Map<const Vec<d>>(study.body.origin.data()),
+                     Eigen::Map<const Vec<d>>(study.body.size.data())};
+    return check_shape(study, domain, box);
+  }
   for (int a = 0; a < d; ++a) {
     const double origin = study.body.origin.empty() ? 0 : study.body.origin[static_cast<std::size_t>(a)];
     const double size = study.body.size[static_cast<std::size_t>(a)];
@@ -122,7 +140,8 @@ Surface<d> surface_of(const Study& study, const Manufactured<d>& solution, const
       return has_rings(study) ? polar_surface(cloud, domain.inner, domain.outer)
                               : clipped_surface<2>(cloud, annulus_shape(domain.inner, domain.outer));
   }
-  return study.body.holes.empty() ? box_surface<d>(cloud) : plumb::surface_of<d>(study.body, cloud);
+  const bool is_box = study.body.shape == "box" && study.body.holes.empty();
+  return is_box ? box_surface<d>(cloud) : plumb::surface_of<d>(study.body, cloud);
 }
 
 template <int d>

@@ -86,7 +86,7 @@ template <int d>
 std::vector<Index> surface_particles(const Study& study, const Manufactured<d>& solution,
                                      const Cloud<d>& cloud) {
   std::set<Index> found;
-  const bool box = solution.domain.shape == Domain<d>::Shape::box;
+  const bool box = solution.domain.shape == Domain<d>::Shape::box && study.body.shape == "box";
   for (Index i = 0; i < cloud.size() && box; ++i)
     for_faces_at(cloud.box, cloud.X[i], [&](int, int) { found.insert(i); });
   if (!box || !study.body.holes.empty())

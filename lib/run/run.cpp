@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace plumb {
@@ -47,12 +46,8 @@ std::optional<Failure> restless(const StepControl& control, const RunResult& res
   if (!control.rest || result.stopped || result.failure) return result.failure;
   if (result.residual && *result.residual <= *control.rest && now.time >= control.rest_after)
     return std::nullopt;
-  return Failure{now.time,
-                 now.step,
-                 Cause::no_convergence,
-                 std::nullopt,
-                 result.residual.value_or(std::numeric_limits<double>::quiet_NaN()),
-                 "residual over the forces of loads and supports"};
+  return Failure{now.time,     now.step,        Cause::no_convergence,
+                 std::nullopt, result.residual, "residual over the forces of loads and supports"};
 }
 
 bool finished(const Moment& now, const StepControl& control) {

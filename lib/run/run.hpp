@@ -43,7 +43,8 @@ struct Failure {
   long step;
   Cause cause;
   std::optional<Index> particle;  ///< where it was found; nothing if it belongs to no particle
-  double value;                   ///< of the quantity: J, energy ratio, time step [s]
+  std::optional<double>
+      value;  ///< of the quantity: J, energy ratio, time step [s]; nothing if none was found
   std::string quantity;
 };
 

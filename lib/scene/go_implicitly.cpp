@@ -10,6 +10,7 @@
 #include "lib/schemes/implicit/energy_momentum.hpp"
 #include "lib/schemes/implicit/load_path.hpp"
 #include "lib/schemes/implicit/midpoint.hpp"
+#include "lib/schemes/implicit/misprints.hpp"
 #include "lib/schemes/implicit/trapezoid.hpp"
 
 namespace plumb {
@@ -50,6 +51,11 @@ struct Way {
   }
 };
 
+/// nullopt: no search was made.
+std::optional<double> last_of(const std::vector<double>& residuals) {
+  return residuals.empty() ? std::nullopt : std::optional(residuals.back());
+}
+
 Failure no_equilibrium(const StaticFailure& failed, const Moment& now) {
   if (failed.cause == "inverted")
     return {now.time,
@@ -58,7 +64,7 @@ Failure no_equilibrium(const StaticFailure& failed, const Moment& now) {
             failed.trouble->particle,
             failed.trouble->value,
             failed.trouble->quantity};
-  const double residual = failed.residuals.empty() ? 1 : failed.residuals.back();  // 1: no search was made
+  const auto residual = last_of(failed.residuals);
   std::string what = "residual over the forces";
   if (failed.cause == "limit-point") what = "beyond a limit point; " + what;
   if (failed.cause == "unsolved")
@@ -74,7 +80,7 @@ Failure no_step(const NewtonResult& search, const std::optional<Trouble>& troubl
           now.step,
           Cause::no_convergence,
           std::nullopt,
-          search.residuals.back(),
+          last_of(search.residuals),
           "residual over the forces"};
 }
 
@@ -140,9 +146,12 @@ void go_by_arc_length(Simulation<d>& simulation, const std::shared_ptr<Way<d>>& 
     const double particles = static_cast<double>(way->body.motion().u.size()) / d;
     const auto next = way->arc_path().step(*way->options.arc_length * std::sqrt(particles));
     if (!next)
-      return Failure{
-          now().time,   now().step, Cause::no_convergence,
-          std::nullopt, 1,          "no equilibrium at a thousandth of arc_length; residual over the forces"};
+      return Failure{now().time,
+                     now().step,
+                     Cause::no_convergence,
+                     std::nullopt,
+                     way->arc_path().point().load,
+                     "no equilibrium at a thousandth of arc_length from the last one, whose load factor"};
     way->body.move({next->u, Eigen::VectorXd::Zero(next->u.size()), now().time + step, now().step + 1});
     return std::nullopt;
   };
@@ -189,6 +198,11 @@ Statement said_of(const ImplicitOptions& options) {
 template <int d>
 void go_implicitly(Simulation<d>& simulation, ImplicitBody<d> body, const Scene& scene) {
   refuse_what_it_has_not(scene);
+  for (const std::string& sentence : scene.method.unused) simulation.warnings.push_back(sentence);
+  if (!scene.method.implicit.misprints.empty())
+    body.energy = [made = body.energy, options = scene.method.implicit] {
+      return with_misprints<d>(made(), options);
+    };
   const auto way = std::make_shared<Way<d>>(
       Way<d>{std::move(body), *scene.end_time, scene.method.implicit, {}, {}, {}, 0});
   leave_out_accounts(simulation, way->body.actions());

@@ -147,12 +147,29 @@ void take_box(const Section& section, Body& body, int dimension) {
   });
 }
 
+/// The body of a study tells its dimension, by the numbers of its centre.
+void require_centre(const Section& section, const std::string& shape) {
+  for (const auto& entry : lengths_of_shape(shape))
+    if (entry.name == "centre") return;
+  section.fail("shape", fmt::format("\"{}\" in a study", shape),
+               "the dimension of a study is that of its body, which a centre tells",
+               "use \"ball\", or a box with [[body.hole]]");
+}
+
+int dimension_of_centre(const Section& section, const ShapeLengths& lengths) {
+  const auto centre = lengths.find("centre");
+  const std::size_t numbers = centre == lengths.end() ? 0 : centre->second.size();
+  if (numbers != 2 && numbers != 3)
+    section.fail("centre", fmt::format("{} numbers", numbers), "it tells the dimension of the study",
+                 "give 2 or 3");
+  return static_cast<int>(numbers);
+}
+
 /// Shapes other than boxes.
 void read_shape(const Section& section, Body& body, int dimension) {
-  if (dimension == 0)
-    section.fail("shape", fmt::format("\"{}\" in a study", body.shape),
-                 "the body of a study is the domain of its solution", "leave it out");
+  if (dimension == 0) require_centre(section, body.shape);
   body.lengths = read_lengths(section, body.shape, dimension);
+  if (dimension == 0) dimension = dimension_of_centre(section, body.lengths);
   take_box(section, body, dimension);
 }
 

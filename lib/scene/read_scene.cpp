@@ -149,6 +149,7 @@ Scene scene_of(const TomlValue& document, const std::string& file_name, KeyNotes
   scene.material = read_material(root.section({"material", "the law and its numbers"}), scene.dimension);
   scene.method = read_method(root, scene.body);
   refuse_history(root, scene.material, scene.method);
+  refuse_misprints(root, scene.material, scene.method);
   refuse_on_a_line(root, scene.dimension, scene.method);
   scene.load = read_load(root, scene.dimension);
   scene.initial = read_initial(root, scene.dimension);

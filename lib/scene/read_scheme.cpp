@@ -2,6 +2,7 @@
 
 #include "lib/scene/readers.hpp"
 #include "lib/scene/scheme_simulation.hpp"
+#include "lib/scene/unused_keys.hpp"
 
 namespace plumb {
 namespace {
@@ -21,6 +22,26 @@ void take_step(const Section& root, Method& method) {
 }
 
 }  // namespace
+
+void refuse_misprints(const Section& root, const MaterialChoice& material, const Method& method) {
+  const ImplicitOptions& chosen = method.implicit;
+  const auto refuse = [&](const char* problem, const char* why, const char* suggestion) {
+    root.section("implicit").fail("misprints", problem, why, suggestion);
+  };
+  if (chosen.misprints.empty()) return;
+  if (method.scheme == "element")
+    refuse("contradicts scheme = \"element\"", "they are those of paper 004",
+           "use scheme = \"implicit\", or leave it out");
+  const bool of_paper = method.hourglass && method.hourglass->weight == "slope";
+  if (!of_paper && (chosen.misprinted("27") || chosen.misprinted("29")))
+    refuse("(27) and (29) without their hourglass energy", "they are the forces and the stiffness of (21)",
+           "add [hourglass] weight = \"slope\", or paper = \"004\"");
+  const bool of_law = material.model == "neo-hookean-logarithmic" && material.plane == Plane::strain;
+  if (!of_law && chosen.misprinted("61"))
+    refuse("(61) of another law",
+           "it is the tangent of neo-hookean-logarithmic, in the plane of plane strain",
+           "use model = \"neo-hookean-logarithmic\", or leave it out");
+}
 
 void read_scheme(const Section& root, Method& method) {
   if (const auto section = root.optional_section({"element", "finite elements on the nodes of a box"});
@@ -46,7 +67,10 @@ void read_scheme(const Section& root, Method& method) {
   if (const auto section = root.optional_section(
           {"implicit", "how equilibria are sought, or steps in time are made, by Newton's method"}))
     method.implicit = ImplicitOptions::read(*section);
-  if (solved_by_newton(method)) take_step(root, method);
+  if (solved_by_newton(method)) {
+    take_step(root, method);
+    method.unused = unused_by_scheme(root, method.scheme, keys_unused_by_newton());
+  }
   if (const auto section = root.optional_section({"updated", "the updated Lagrangian scheme, paper 002"})) {
     method.updated = UpdatedOptions::read(*section, method.updated);
     section->reject_unknown();

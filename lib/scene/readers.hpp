@@ -18,6 +18,8 @@ enum class MaterialOf { body, point };
 MaterialChoice read_material(const Section& section, int dimension, MaterialOf of = MaterialOf::body);
 /// Refuses a law with history in a body of a scheme that has no room for it.
 void refuse_history(const Section& root, const MaterialChoice& material, const Method& method);
+/// Refuses misprints of paper 004 beside parts and laws that are not those of their equations.
+void refuse_misprints(const Section& root, const MaterialChoice& material, const Method& method);
 /// Refuses in one dimension what needs more of them.
 void refuse_on_a_line(const Section& root, int dimension, const Method& method);
 /// Lists the sections that read_method reads: [method] and those of its parts.

@@ -117,10 +117,11 @@ struct Method {
   std::optional<ProjectionOptions> projection;    ///< absent: the force may have a torque
   std::optional<DampingOptions> damping;          ///< absent: no damping
   MixedOptions mixed;                             ///< of scheme "mixed" only
-  ImplicitOptions implicit;  ///< of scheme "implicit", and of elements that Newton's method moves
-  UpdatedOptions updated;    ///< of scheme "updated" only
-  EulerianOptions eulerian;  ///< of scheme "eulerian" only
-  ElementOptions element;    ///< of scheme "element" only
+  ImplicitOptions implicit;         ///< of scheme "implicit", and of elements that Newton's method moves
+  UpdatedOptions updated;           ///< of scheme "updated" only
+  EulerianOptions eulerian;         ///< of scheme "eulerian" only
+  ElementOptions element;           ///< of scheme "element" only
+  std::vector<std::string> unused;  ///< sentences: keys that are given and that this scheme does not look at
 };
 
 /// Calls use(part) for every optional part of a method, in the order in which their terms act. Readers,

@@ -101,6 +101,7 @@ Study study_of(const TomlValue& document, const std::string& file_name,
   study.material = read_material(root.section({"material", "the law and its numbers"}), study.dimension());
   study.method = read_method(root, study.body);
   refuse_history(root, study.material, study.method);
+  refuse_misprints(root, study.material, study.method);
   refuse_on_a_line(root, study.dimension(), study.method);
   refuse_beside_mirror(root, study.body.layout, study.method);
   check_spacings(head, study);

@@ -1,5 +1,7 @@
 #include "lib/scene/unused_keys.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace plumb {
@@ -11,6 +13,11 @@ constexpr const char* judged_in_space = "it declares orders in space";
 /// Keys that say how time is stepped.
 void add_steps(std::vector<UnusedKey>& keys, const std::string& why) {
   for (const char* key : {"cfl", "time_step", "wave_speed"}) keys.push_back({"method", key, why});
+}
+
+/// "[jst]" or "method.cfl".
+std::string name_of(const UnusedKey& unused) {
+  return unused.key.empty() ? "[" + unused.section + "]" : unused.section + "." + unused.key;
 }
 
 /// The key, or the first one of the section if none is named, that comes from the command line.
@@ -69,6 +76,24 @@ std::vector<UnusedKey> keys_unused_by_spectrum() {
   return keys;
 }
 
+std::vector<UnusedKey> keys_unused_by_newton() {
+  const char* no_limit = "Newton's method has no stability limit";
+  return {{"method", "cfl", no_limit},
+          {"method", "wave_speed", no_limit},
+          {"method", "integrator", "[implicit] says how steps are made"},
+          {"jst", "", "a dissipation has no energy"},
+          {"damping", "", "a damping has no energy"}};
+}
+
+std::vector<std::string> unused_by_scheme(const Section& root, const std::string& scheme,
+                                          const std::vector<UnusedKey>& keys) {
+  std::vector<std::string> unused;
+  for (const UnusedKey& one : keys)
+    if (root.has(one.section) && (one.key.empty() || root.section(one.section).has(one.key)))
+      unused.push_back(fmt::format("{} is not used by scheme = \"{}\": {}", name_of(one), scheme, one.why));
+  return unused;
+}
+
 std::vector<std::string> refuse_unused(const Section& root, const std::vector<UnusedKey>& keys) {
   std::vector<UnusedKey> in_file;
   for (const UnusedKey& one : keys) {
@@ -81,8 +106,7 @@ std::vector<std::string> refuse_unused(const Section& root, const std::vector<Un
   std::vector<std::string> unused;
   for (const UnusedKey& one : in_file) {
     if (one.also_in_files) refuse(root.section(one.section), one.key, one);
-    const std::string name = one.key.empty() ? "[" + one.section + "]" : one.section + "." + one.key;
-    unused.push_back(name + " is not used by this command: " + one.why);
+    unused.push_back(name_of(one) + " is not used by this command: " + one.why);
   }
   return unused;
 }

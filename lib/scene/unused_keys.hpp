@@ -20,6 +20,14 @@ std::vector<UnusedKey> keys_unused_by(StudyOf use);
 /// Those of a scene of which only the equations are wanted, linearised about the reference state.
 std::vector<UnusedKey> keys_unused_by_spectrum();
 
+/// Those of a scene whose steps Newton's method makes.
+std::vector<UnusedKey> keys_unused_by_newton();
+
+/// Returns those that are given, as "method.cfl is not used by scheme = \"implicit\": why". None is refused: scenes are handed from one
+/// scheme to another.
+std::vector<std::string> unused_by_scheme(const Section& root, const std::string& scheme,
+                                          const std::vector<UnusedKey>& keys);
+
 /// Refuses those that are asked for on the command line, and those of the file that are refused there.
 /// Returns the others that the file has, as "method.cfl is not used by this command: why". Throws SceneError.
 std::vector<std::string> refuse_unused(const Section& root, const std::vector<UnusedKey>& keys);

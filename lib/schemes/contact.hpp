@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct RigidWall {
   std::function<Vec<d>(double time)> displacement;  ///< [m] at a time [s]; empty: it stays where it is
   double modulus = 0;                               ///< E* of Hertz [Pa]
   double friction = 0;                              ///< Coulomb's coefficient
-  double reach = 0;  ///< distance from a particle to the surface of its body [m]
-  int body = -1;     ///< the one that touches it; -1: all do
+  double reach = 0;              ///< distance from a particle to the surface of its body [m]
+  std::optional<int> body = {};  ///< the one that touches it; nullopt: all do
 };
 
 /// A half-space: `point` lies on its surface, `normal` points out of it and has length 1.
@@ -198,7 +199,7 @@ void Contact<d>::add(double time, const std::vector<Vec<d>>& x, Field& anchors, 
     const bool rough = wall.friction > 0;
     for_particles(count(), [&](Index i) {
       Vec<d> anchor = rough ? anchor_of<d>(anchors, first, i) : Vec<d>(Vec<d>::Zero());
-      const bool other = wall.body >= 0 && !body_.empty() && body_[i] != wall.body;
+      const bool other = wall.body && !body_.empty() && body_[i] != *wall.body;
       force_[i] = other ? Vec<d>(Vec<d>::Zero()) : force_on(wall, x[i] - shift, rough ? &anchor : nullptr);
       if (rough) set_anchor<d>(anchors, first, i, anchor);
       for (int k = 0; k < d; ++k) acceleration_[k][i] += force_[i][k] / mass_[i];

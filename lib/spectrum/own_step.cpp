@@ -95,10 +95,10 @@ template <int d>
 SavedState stepped(Simulation<d>& simulation, const SavedState& from, double dt) {
   simulation.restore(from);
   if (const auto failure = simulation.steps.advance(dt))
-    throw InputError(
-        "a step of the disturbed body fails",
-        fmt::format("{}: {} becomes {:g}", name_of(failure->cause), failure->quantity, failure->value),
-        "see plumb run, or look at an earlier state");
+    throw InputError("a step of the disturbed body fails",
+                     fmt::format("{}: {}{}", name_of(failure->cause), failure->quantity,
+                                 failure->value ? fmt::format(" becomes {:g}", *failure->value) : ""),
+                     "see plumb run, or look at an earlier state");
   return simulation.save();
 }
 

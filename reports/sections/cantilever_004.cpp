@@ -46,10 +46,11 @@ struct Case {
   double error, energy, hourglass;
 };
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all{{"286", 0.0859, 3.011e-3, 2.422e-6},
-                                     {"695", 0.0729, 2.948e-3, 1.487e-6},
-                                     {"2609", 0.0273, 2.891e-3, 7.785e-7}};
+std::vector<Case> cases(bool long_run) {
+  std::vector<Case> all{{"286", 0.0859, 3.011e-3, 2.422e-6},
+                        {"695", 0.0729, 2.948e-3, 1.487e-6},
+                        {"2609", 0.0273, 2.891e-3, 7.785e-7}};
+  if (long_run) all.push_back({"14250", 0.0208, 2.819e-3, 3.625e-7});
   return all;
 }
 
@@ -109,7 +110,7 @@ DataTable runs_table(const Results& results, bool long_run) {
                    {"its paper's", "J", 4},
                    {"CPU time", "s", 3}},
                   {}};
-  for (const Case& of : cases())
+  for (const Case& of : cases(long_run))
     for (const Way& way : ways_on_clouds())
       add_row(table, "irregular", way.name, cloud_id(way, of), results.json(cloud_id(way, of)), &of);
   for (const Way& way : ways_on_lattices())
@@ -167,7 +168,7 @@ Section write(const Results& results, bool long_run) {
   const auto error = [&](const Case& of, const char* way) {
     return error_of(results.json(cloud_id(by_id(ways_on_clouds(), way), of)));
   };
-  const Case &coarse = cases().front(), &fine = cases().back();
+  const Case coarse = cases(long_run).front(), fine = cases(long_run).back();
   s.answer = fmt::format(
       "On irregular clouds of {} and {} particles its error is {:.3g} and {:.3g} with hourglass energy, {:.3g} and "
       "{:.3g} without (paper: {:g} and {:g}); compatible bonds have {:.3g} and {:.3g}.",
@@ -187,7 +188,7 @@ Section write(const Results& results, bool long_run) {
                lattice_id(elements, finest), CheckKind::regression}};
   s.notes = {
       "The field (62)-(64) solves plane stress and not the block: exact answers are 0.0025 off it. The paper's exact energy, 2.77284e-3 J, is half of the work of the end load and leaves out that of the displaced end; the field has 2.805728e-3 J.",
-      "The paper's clouds are not printed: ours of 286, 695 and 2609 have a lattice on the surface and Lloyd's relaxation of random points inside, supports of the 30 nearest."};
+      "The paper's clouds are not printed: ours of 286, 695, 2609 and (long reports) 14250 have a lattice on the surface and Lloyd's relaxation of random points inside, supports of the 30 nearest."};
   return s;
 }
 
@@ -209,10 +210,13 @@ SectionPlan planned(bool long_run) {
   for (const Way& way : ways_on_lattices())
     for (const auto& spacing : spacings(way, long_run))
       add(lattice_id(way, spacing), lattice, "body.spacing=" + spacing, way.set, {lattice});
-  for (const Case& of : cases())
+  for (const Case& of : cases(long_run))
     for (const Way& way : ways_on_clouds()) {
       const std::string cloud = "verification/scenes/clouds/cantilever-" + of.cloud + ".csv";
-      add(cloud_id(way, of), irregular, "body.file=" + cloud, way.set, {irregular, cloud});
+      std::vector<std::string> set = way.set;
+      // factors of its tangent take 9 GB and 260 s, as supports of 30 neighbours tie each particle to some 500
+      if (of.cloud == "14250") set.emplace_back("implicit.solver=iterative");
+      add(cloud_id(way, of), irregular, "body.file=" + cloud, std::move(set), {irregular, cloud});
     }
   return plan;
 }

@@ -8,7 +8,7 @@
 #include "reports/named.hpp"
 #include "reports/section.hpp"
 
-namespace plumb::reports::sections {
+namespace plumb::reports::sections::mixed_columns {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -133,7 +133,7 @@ Section write(const Results& results, const std::vector<int>& cells) {
 }  // namespace
 
 /// Error against CPU time on the columns of paper 003 for its scheme with the better choices, and for total Lagrangian ones beside it.
-SectionPlan mixed_columns(bool long_run) {
+SectionPlan planned(bool long_run) {
   const std::vector<int> cells = long_run ? std::vector<int>{4, 6, 8, 12} : std::vector<int>{4, 6};
   SectionPlan plan{
       425, "mixed-columns", "Columns of paper 003: error against cost", {}, [cells](const Results& r) {
@@ -145,4 +145,4 @@ SectionPlan mixed_columns(bool long_run) {
   return plan;
 }
 
-}  // namespace plumb::reports::sections
+}  // namespace plumb::reports::sections::mixed_columns

@@ -1,5 +1,7 @@
 #include "lib/schemes/implicit/equilibrium.hpp"
 
+#include "lib/schemes/implicit/misprints.hpp"
+
 namespace plumb {
 
 template <int d>
@@ -21,7 +23,8 @@ template <int d>
 StaticResult<d> find_equilibrium(const Solid<d>& solid, const Actions<d>& actions, double end_time,
                                  const ImplicitOptions& options, State<d>& state, const OnLoadStep& on_step) {
   BodyMotion motion = motion_of<d>(solid.bonds.slots, state);
-  const auto result = find_equilibrium<d>(stored_energy(solid), actions, end_time, options, motion, on_step);
+  const auto result = find_equilibrium<d>(with_misprints(stored_energy(solid), options), actions, end_time,
+                                          options, motion, on_step);
   set_motion<d>(solid.bonds.slots, motion, state);
   return result;
 }

@@ -10,6 +10,18 @@
 namespace plumb {
 namespace {
 
+std::vector<std::string> read_misprints(const Section& section) {
+  const std::vector<std::string> known{"27", "29", "61"};
+  if (!section.has("misprints")) return {};
+  auto chosen =
+      section.texts({"misprints", "equations of paper 004 that are taken as they are printed"}, known);
+  for (const std::string& equation : chosen)
+    if (std::find(known.begin(), known.end(), equation) == known.end())
+      section.fail("misprints", fmt::format("there is none of ({})", equation),
+                   "the others are right, or cannot be computed", "valid: \"27\", \"29\", \"61\"");
+  return chosen;
+}
+
 void refuse_beside_arc_length(const Section& section, const ImplicitOptions& options) {
   if (options.moves())
     section.fail("arc_length", "contradicts dynamics", "it follows equilibria, without time",
@@ -58,11 +70,19 @@ ImplicitOptions ImplicitOptions::read(const Section& section) {
                  "its tangent is not symmetric, and conjugate gradients need that",
                  "use solver = \"direct\", or dynamics = \"midpoint\"");
   if (options.arc_length) refuse_beside_arc_length(section, options);
+  options.misprints = read_misprints(section);
   section.reject_unknown();
   return options;
 }
 
 std::string ImplicitOptions::in_words() const {
+  std::string text = steps_in_words();
+  for (const std::string& equation : misprints)
+    text += fmt::format(", ({}) of paper 004 as printed", equation);
+  return text;
+}
+
+std::string ImplicitOptions::steps_in_words() const {
   const std::string size = time_step ? fmt::format("steps of {:g} s", *time_step)
                                      : fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
   if (moves())

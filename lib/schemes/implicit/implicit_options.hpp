@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/schemes/implicit/linear_solver.hpp"
 
@@ -25,7 +27,13 @@ struct ImplicitOptions {
   bool midpoint = false;                       ///< dynamics = "midpoint": steps in time instead of equilibria
   bool energy_momentum = false;                ///< dynamics = "energy-momentum": likewise, with exact energy
   bool trapezoid = false;                      ///< dynamics = "trapezoid": likewise, by the trapezoidal rule
+  /// Equations of paper 004 that are taken with their misprints: "27" (sign of the hourglass forces), "29" (half of their
+  /// stiffness), "61" (a term of the tangent of neo-hookean-logarithmic).
+  std::vector<std::string> misprints;
 
+  bool misprinted(std::string_view equation) const {
+    return std::find(misprints.begin(), misprints.end(), equation) != misprints.end();
+  }
   bool moves() const { return midpoint || trapezoid || energy_momentum; }  ///< in time, with inertia
   /// Reads the section. Throws SceneError.
   static ImplicitOptions read(const Section& section);
@@ -33,6 +41,9 @@ struct ImplicitOptions {
   std::string in_words() const;
   /// Returns the first load step as a share of the path to `end_time` [s].
   double first_step(double end_time) const;
+
+ private:
+  std::string steps_in_words() const;
 };
 
 }  // namespace plumb

@@ -2,6 +2,10 @@
 // listed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "lib/scene/read_scene.hpp"
+#include "lib/scene/simulation.hpp"
 #include "lib/scene/unused_keys.hpp"
 
 namespace plumb {
@@ -86,6 +90,39 @@ TEST(UnusedKeys, OfAFileAreListedOrRefused) {
   const auto orders = parse_study(declared, "study.toml", {}, {}, StudyOf::operators).unused;
   ASSERT_EQ(orders.size(), 1u);
   EXPECT_EQ(orders[0].substr(0, 30), "[expect] is not used by this c");
+}
+
+/// A scene goes from one scheme to another by --set: what Newton's method does not use is said, and not refused.
+TEST(UnusedKeys, OfNewtonsMethodAreListed) {
+  const std::string text = R"toml([scene]
+dimension = 2
+end_time = 1
+[body]
+size = [2, 2]
+spacing = 0.5
+[material]
+young = "17 MPa"
+poisson = 0.3
+density = 1100
+[method]
+scheme = "tlsph"
+cfl = 0.3
+integrator = "rk3"
+wave_speed = "stretch"
+[damping]
+rate = 3
+)toml";
+  EXPECT_TRUE(parse_scene(text, "scene.toml").method.unused.empty());
+  const Scene scene = parse_scene(text, "scene.toml", {"method.scheme=implicit"});
+  const std::vector<std::string> said{
+      "method.cfl is not used by scheme = \"implicit\": Newton's method has no stability limit",
+      "method.wave_speed is not used by scheme = \"implicit\": Newton's method has no stability limit",
+      "method.integrator is not used by scheme = \"implicit\": [implicit] says how steps are made",
+      "[damping] is not used by scheme = \"implicit\": a damping has no energy"};
+  EXPECT_EQ(scene.method.unused, said);
+  const auto warnings = make_simulation<2>(scene).simulation.warnings;
+  for (const std::string& sentence : said)
+    EXPECT_NE(std::find(warnings.begin(), warnings.end(), sentence), warnings.end()) << sentence;
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ Json error_json(const FinishedRun<d>& run) {
           {"displacement_m", std::sqrt(error / static_cast<double>(shown.X.size()))}};
 }
 
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
 Json failure_json(const std::optional<Failure>& failure) {
   if (!failure) return nullptr;
   return {{"time", failure->time},
@@ -75,11 +79,7 @@ Json failure_json(const std::optional<Failure>& failure) {
           {"cause", name_of(failure->cause)},
           {"particle", failure->particle ? Json(*failure->particle) : Json()},
           {"quantity", failure->quantity},
-          {"value", failure->value}};
-}
-
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
+          {"value", number_or_null(failure->value)}};
 }
 
 template <int d>

@@ -18,8 +18,8 @@ std::string place_text(const double* values, std::size_t count) {
 }
 
 std::string failure_text(const Failure& failure) {
-  std::string text =
-      fmt::format("  {}: {} = {:.6g}", name_of(failure.cause), failure.quantity, failure.value);
+  std::string text = fmt::format("  {}: {}", name_of(failure.cause), failure.quantity);
+  if (failure.value) text += fmt::format(" = {:.6g}", *failure.value);
   if (failure.particle) text += fmt::format(" at particle {}", *failure.particle);
   return text + fmt::format(", step {}, t = {:.9g} s\n", failure.step, failure.time);
 }
