@@ -59,6 +59,30 @@ TEST_P(InBrowser, OpensWithoutErrorsFitsTheWidthSortsFiltersAndMoves) {
   EXPECT_GE(seen["text"], 16);  // CSS pixels: the size that telephones are made for
 }
 
+/// Every formula of lib/theory is one for KaTeX, which is strict: a slip is an error and not a guess. What is drawn needs no font
+/// but those inside the page, and leaves no letter of LaTeX behind.
+TEST_F(InBrowser, DrawsEveryFormula) {
+  const auto seen = Browser().open(page_text(), 1600, R"js(
+const all = [...document.querySelectorAll('x-equation')];
+seen.formulas = all.length;
+seen.undrawn = all.filter(e => !e.querySelector('.katex-html')).map(e => e.textContent);
+seen.refused = all.map(e => e.querySelector('annotation')?.textContent ?? e.textContent).map((text, k) => {
+  try { katex.renderToString(text, {displayMode: all[k].getAttribute('type') === 'display', strict: 'error'}); return ''; }
+  catch (error) { return error.message; }
+}).filter(Boolean);
+const inside = [...document.querySelector('style').textContent.matchAll(/@font-face{font-family:(KaTeX_\w+);font-style:(\w+)/g)]
+  .map(m => m[1] + ' ' + m[2]);
+seen.fonts = [...new Set([...document.querySelectorAll('.katex-html *')].map(e => getComputedStyle(e))
+  .map(s => s.fontFamily.split(',')[0] + ' ' + s.fontStyle + (s.fontWeight === '400' ? '' : ' ' + s.fontWeight)))]
+  .filter(f => !inside.includes(f));
+)js");
+  EXPECT_EQ(seen["console"], "");
+  EXPECT_GT(seen["formulas"], 1000);
+  EXPECT_TRUE(seen["undrawn"].empty()) << seen["undrawn"];
+  EXPECT_TRUE(seen["refused"].empty()) << seen["refused"];
+  EXPECT_TRUE(seen["fonts"].empty()) << seen["fonts"];
+}
+
 INSTANTIATE_TEST_SUITE_P(Widths, InBrowser, testing::Values(400, 1600));
 
 /// Paper has no script: what it shows is also what a reader without JavaScript can read, closed tables
