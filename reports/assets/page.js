@@ -5,7 +5,7 @@
   if (window.katex)
     for (const formula of document.querySelectorAll('x-equation'))
       katex.render(formula.textContent, formula,
-        {displayMode: formula.getAttribute('type') === 'display', throwOnError: false, strict: 'ignore'});
+        {displayMode: formula.getAttribute('type') === 'display', throwOnError: false, strict: 'error'});
   const value = cell => cell === undefined ? '' : cell.dataset.v !== undefined ? Number(cell.dataset.v) : cell.textContent;
   const compare = (a, b) => typeof a === 'number' && typeof b === 'number'
     ? (Number.isNaN(a) ? 1 : 0) - (Number.isNaN(b) ? 1 : 0) || a - b : String(a).localeCompare(String(b), 'en', {numeric: true});

@@ -31,7 +31,7 @@ inline constexpr std::array<TheoryPage, @theory_count@> theory_pages{{
 find_path(PLUMBLINE_KATEX katex.min.js PATHS /usr/share/javascript/katex NO_DEFAULT_PATH DOC "folder of KaTeX, of Debian's libjs-katex")
 set(katex_js "")
 set(katex_css "")
-if(PLUMBLINE_KATEX)
+if(PLUMBLINE_KATEX AND EXISTS "${PLUMBLINE_KATEX}/katex.min.js")
   file(READ ${PLUMBLINE_KATEX}/katex.min.js katex_js)
   string(ASCII 226 128 170 mark)  # U+202A, in a string of the script: compilers warn of signs that turn the direction of writing
   string(REPLACE "${mark}" "\\u202a" katex_js "${katex_js}")
