@@ -37,6 +37,7 @@ if(PLUMBLINE_KATEX AND EXISTS "${PLUMBLINE_KATEX}/katex.min.js")
   string(REPLACE "${mark}" "\\u202a" katex_js "${katex_js}")
   file(READ ${PLUMBLINE_KATEX}/katex.min.css katex_css)
   string(REGEX REPLACE "@font-face{[^}]*}" "" katex_css "${katex_css}")
+  string(PREPEND katex_css "/* KaTeX, Copyright (c) 2013-2020 Khan Academy and other contributors: MIT licence; its fonts: SIL OFL 1.1 */\n")
   # Family, file and style of each font that the pages need; a test sees to it that they need no other.
   foreach(font IN ITEMS "Main Main-Regular normal" "Math Math-Italic italic" "Size1 Size1-Regular normal"
           "Size2 Size2-Regular normal" "Size3 Size3-Regular normal" "Size4 Size4-Regular normal")
