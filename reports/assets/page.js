@@ -1,7 +1,11 @@
 // Sorting by a click on a heading, filtering by typing, frames one at a time. Without it every table can be read as it stands and
-// all frames are seen side by side.
+// all frames are seen side by side. Formulas are drawn by KaTeX; without it, or without script, their LaTeX source stays.
 (() => {
   'use strict';
+  if (window.katex)
+    for (const formula of document.querySelectorAll('x-equation'))
+      katex.render(formula.textContent, formula,
+        {displayMode: formula.getAttribute('type') === 'display', throwOnError: false, strict: 'error'});
   const value = cell => cell === undefined ? '' : cell.dataset.v !== undefined ? Number(cell.dataset.v) : cell.textContent;
   const compare = (a, b) => typeof a === 'number' && typeof b === 'number'
     ? (Number.isNaN(a) ? 1 : 0) - (Number.isNaN(b) ? 1 : 0) || a - b : String(a).localeCompare(String(b), 'en', {numeric: true});

@@ -7,6 +7,7 @@
 
 #include "lib/output/progress.hpp"
 #include "reports/assets.hpp"
+#include "reports/katex.hpp"
 #include "reports/page/parts.hpp"
 #include "reports/plot/svg_text.hpp"
 #include "reports/theory/theory.hpp"
@@ -93,8 +94,8 @@ std::string html(const Page& page) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
       "<meta name=\"color-scheme\" content=\"light dark\"><link rel=\"icon\" href=\"data:,\">";
-  out +=
-      fmt::format("<title>{}</title><style>{}</style></head><body>\n", escaped(page.title), assets::page_css);
+  out += fmt::format("<title>{}</title><style>{}{}</style></head><body>\n", escaped(page.title),
+                     assets::katex_css, assets::page_css);
   out += page::first_screen(page) + "<main>\n";
   std::string chapter;
   for (const auto& section : page.sections) {
@@ -109,7 +110,8 @@ std::string html(const Page& page) {
   out +=
       "<footer><p>The numbers behind each picture and table are in the folder <code>data</code> beside this "
       "page. Nothing on it comes from the network.</p></footer>\n";
-  return out + fmt::format("<script>{}</script></body></html>\n", assets::page_js);
+  return out + fmt::format("<script>{}</script>\n<script>{}</script></body></html>\n", assets::katex_js,
+                           assets::page_js);
 }
 
 }  // namespace plumb::reports

@@ -181,7 +181,7 @@ Section write(const Results& results) {
                   mended.measured, mended.verdict),
       "The bond table is projected once, at set-up, onto area vectors that are antisymmetric, closed and "
       "exact; the same "
-      "vectors make the deformation gradient and the force (lib/THEORY.md, chapter 11).",
+      "vectors make the deformation gradient and the force (THEORY chapter 11).",
       "Alternating motion inside a lattice is seen by no table, THEORY (9.4). "
       "The hourglass energy, THEORY (12.1), resists it; it is a potential, "
       "so what it does to the energy and to the order is in the checks."};

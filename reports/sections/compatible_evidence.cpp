@@ -191,7 +191,7 @@ Section write(const Results& results, const std::vector<Problem>& all) {
       "Vortices have free circles. Where particles lie on them (layout node) order 2 is claimed; "
       "at an amplitude of 0.5 rad irregular particles need the hourglass energy, THEORY (12.1). "
       "On clipped rings (long report) no particle lies on the circles, facets are extrapolated "
-      "from the particles nearby, and nothing is claimed (lib/THEORY.md, chapter 11)."};
+      "from the particles nearby, and nothing is claimed (THEORY chapter 11)."};
   return s;
 }
 

@@ -8,93 +8,121 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <vector>
 
-#include "reports/assets.hpp"
-#include "reports/plot/svg_text.hpp"
-#include "reports/theory/mathml.hpp"
+#include "reports/katex.hpp"
+#include "reports/theory_pages.hpp"
 
 namespace plumb::reports::theory {
 namespace {
 
-/// "(5.3)" as "eq-5-3".
-std::string anchor(const std::string& number) {
-  std::string id = "eq-" + number.substr(1, number.size() - 2);
-  for (char& c : id)
-    if (c == '.') c = '-';
-  return id;
+/// "5.3" as "eq-5-3".
+std::string anchor(std::string number) {
+  boost::replace_all(number, ".", "-");
+  return "eq-" + number;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
+/// "05-momentum.md" as "theory-5", "papers.md" as "theory-papers", the index as "theory"; empty for what is no page.
+std::string id_of(const std::string& name) {
+  static const std::regex chapter(R"((\d+)-.*)");
+  for (const auto& page : assets::theory_pages) {
+    std::smatch m;
+    if (page.name != name) continue;
+    if (name == "README.md") return "theory";
+    if (std::regex_match(name, m, chapter)) return fmt::format("theory-{}", std::stoi(m[1]));
+    return "theory-" + name.substr(0, name.rfind('.'));
+  }
+  return "";
 }
 
-const std::regex numbered(R"(^\s*(\(\d+\.\d+\))\s+(.*)$)");
-
-/// Numbers of all equations, "(5.3)".
-std::set<std::string> equations(const std::vector<std::string>& lines) {
-  std::set<std::string> found;
-  std::smatch m;
-  for (const auto& line : lines)
-    if (line.starts_with("    ") && std::regex_match(line, m, numbered)) found.insert(m[1]);
-  return found;
-}
-
+/// Numbers of all equations, "5.3".
 const std::set<std::string>& known() {
-  static const std::set<std::string> all = equations(lines_of(std::string(assets::theory_md)));
+  static const std::set<std::string> all = [] {
+    std::set<std::string> found;
+    static const std::regex tag(R"(\\tag\{(\d+\.\d+)\})");
+    for (const auto& page : assets::theory_pages)
+      for (std::cregex_iterator m(page.text.begin(), page.text.end(), tag), end; m != end; ++m)
+        found.insert((*m)[1]);
+    return found;
+  }();
   return all;
 }
 
-/// Every "(5.3)" of the text that is an equation replaced by `with`, in which {0} is its id and {1} itself.
-std::string with_links(const std::string& text, const std::set<std::string>& numbers, const char* with) {
-  static const std::regex number(R"(\(\d+\.\d+\))");
+/// Every "(5.3)" of the text that is an equation as a link to it.
+std::string with_links(const std::string& text) {
+  static const std::regex number(R"(\((\d+\.\d+)\))");
   std::string out;
   std::size_t from = 0;
   for (std::sregex_iterator m(text.begin(), text.end(), number), end; m != end; ++m) {
     out.append(text, from, static_cast<std::size_t>(m->position()) - from);
-    out +=
-        numbers.contains(m->str()) ? fmt::format(fmt::runtime(with), anchor(m->str()), m->str()) : m->str();
+    out += known().contains((*m)[1]) ? fmt::format("<a href=\"#{}\">{}</a>", anchor((*m)[1]), m->str())
+                                     : m->str();
     from = static_cast<std::size_t>(m->position() + m->length());
   }
   return out.append(text, from, std::string::npos);
 }
 
-/// The parts of a line that wide gaps divide, each a formula of its own, so that a narrow page can break
-/// between them.
-std::string formulas(const std::string& line) {
-  static const std::regex gap(R"(\s{2,})");
+/// with_links outside of formulas, links and code.
+std::string with_links_in_prose(const std::string& html) {
   std::string out;
-  for (std::sregex_token_iterator part(line.begin(), line.end(), gap, -1), end; part != end; ++part)
-    out += (out.empty() ? "" : " &#8195; ") + mathml(*part);
+  for (std::size_t at = 0; at < html.size();) {
+    std::size_t from = std::string::npos, to = std::string::npos;
+    for (const auto& [open, close] :
+         {std::pair{"<x-equation", "</x-equation>"}, {"<a ", "</a>"}, {"<code", "</code>"}}) {
+      const std::size_t found = html.find(open, at);
+      if (found >= from) continue;
+      from = found;
+      to = html.find(close, found);
+    }
+    out += with_links(html.substr(at, from - at));
+    if (from == std::string::npos) break;
+    out += html.substr(from, to - from);
+    at = to;
+    out += html.substr(at, html.find('>', at) + 1 - at);
+    at = html.find('>', at) + 1;
+  }
   return out;
 }
 
-/// One line of a formula as a row: number, formula, what the paper calls it.
-std::string formula_row(const std::string& line) {
-  std::smatch m;
-  std::string number, formula = line, source;
-  if (std::regex_match(line, m, numbered)) number = m[1], formula = m[2];
-  static const std::regex with_source(R"(^(.*\S)\s{3,}(\((?:A\.)?\d+[a-z]?\).*)$)");
-  if (std::regex_match(formula, m, with_source)) {
-    source = m[2];
-    formula = std::string(m[1]);
+/// Headings two levels lower; the index has no title beside that of the section.
+std::string with_headings(const std::string& name, const std::string& markdown) {
+  std::string out;
+  std::istringstream in(markdown);
+  for (std::string line; std::getline(in, line);) {
+    if (name == "README.md" && line.starts_with("# ")) continue;
+    out += (line.starts_with("#") ? "##" + line : line) + "\n";
   }
-  formula.erase(0, formula.find_first_not_of(' '));
-  return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                     number.empty() ? "" : " id=\"" + anchor(number) + "\"", number, formulas(formula),
-                     plot::escaped(source));
+  return out;
 }
 
-/// A heading with a place to link to; the title of the file is the page's.
-std::string heading(const std::string& line) {
-  static const std::regex chapter(R"(^## (\d+)\. (.*)$)");
-  std::smatch m;
-  if (std::regex_match(line, m, chapter))
-    return fmt::format("\n<h3 id=\"theory-{0}\">{0}. {1}</h3>\n\n", m[1].str(), plot::escaped(m[2]));
-  return line.starts_with("# ") ? "" : "#" + line + "\n";
+/// A displayed equation gets a box of its own, which scrolls on a narrow screen, with the id of its number.
+std::string with_boxes(std::string html) {
+  const std::string open = "<p><x-equation type=\"display\">", close = "</x-equation></p>", tag = "\\tag{";
+  for (std::size_t at = 0; (at = html.find(open, at)) != std::string::npos;) {
+    const std::size_t end = html.find(close, at), number = html.find(tag, at);
+    if (end == std::string::npos) break;
+    std::string id;
+    if (number < end) {
+      const std::size_t from = number + tag.size();
+      id = " id=\"" + anchor(html.substr(from, html.find('}', from) - from)) + "\"";
+    }
+    html.replace(end + close.size() - 4, 4, "</div>");
+    html.replace(at, 3, "<div class=\"eq\"" + id + ">");
+  }
+  return html;
+}
+
+/// Links to other pages as links within this one; those to what is not in it are left out.
+std::string with_pages(const std::string& html) {
+  static const std::regex link(R"re(<a href="([\w-]+\.md)">([^<]*)</a>)re");
+  std::string out;
+  std::size_t from = 0;
+  for (std::sregex_iterator m(html.begin(), html.end(), link), end; m != end; ++m) {
+    out.append(html, from, static_cast<std::size_t>(m->position()) - from);
+    const std::string id = id_of((*m)[1]);
+    out += id.empty() ? (*m)[2].str() : fmt::format("<a href=\"#{}\">{}</a>", id, (*m)[2].str());
+    from = static_cast<std::size_t>(m->position() + m->length());
+  }
+  return out.append(html, from, std::string::npos);
 }
 
 void append(const MD_CHAR* text, MD_SIZE size, void* to) {
@@ -103,51 +131,43 @@ void append(const MD_CHAR* text, MD_SIZE size, void* to) {
 
 }  // namespace
 
-std::string page_of(const std::string& markdown) {
-  const auto lines = lines_of(markdown);
-  const auto numbers = equations(lines);
-  std::string text;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const auto& line = lines[k];
-    if (line.starts_with("    ")) {
-      const bool first = text.empty() || !text.ends_with("</tr>\n");
-      text += (first ? "\n<div class=\"scroll\"><table class=\"eq\">\n" : "") + formula_row(line);
-      std::size_t next = k + 1;
-      while (next < lines.size() && lines[next].empty()) ++next;
-      if (next < lines.size() && lines[next].starts_with("    "))
-        k = next - 1;  // formulas that only a blank line divides are one block
-      else
-        text += "</table></div>\n\n";
-      continue;
-    }
-    text += line.starts_with("#") ? heading(line) : with_links(line, numbers, "[{1}](#{0})") + "\n";
-  }
+std::string page_of(const std::string& name, const std::string& markdown) {
+  const std::string text = with_headings(name, markdown);
   std::string out;
-  if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &out, MD_FLAG_TABLES,
-              MD_HTML_FLAG_XHTML) != 0)
+  if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &out,
+              MD_FLAG_TABLES | MD_FLAG_LATEXMATHSPANS, MD_HTML_FLAG_XHTML) != 0)
     throw std::runtime_error("the theory cannot be turned into HTML");
-  // Wide tables scroll by themselves on a narrow screen; those of equations, which have no tbody, do so
-  // already.
-  boost::replace_all(out, "<table>", "<div class=\"scroll\"><table>");
-  boost::replace_all(out, "</tbody>\n</table>", "</tbody>\n</table></div>");
-  return out;
+  boost::replace_first(out, "<h3>", "<h3 id=\"" + id_of(name) + "\">");  // the title of the page
+  boost::replace_all(out, "<table>",
+                     "<div class=\"scroll\"><table>");  // wide tables scroll on a narrow screen
+  boost::replace_all(out, "</table>", "</table></div>");
+  return with_links_in_prose(with_pages(with_boxes(out)));
 }
 
 std::string page() {
-  return page_of(std::string(assets::theory_md));
+  std::string out;
+  if (assets::katex_js.empty())
+    out =
+        "<p class=\"note\">Formulas are shown as their LaTeX source, since KaTeX was not there when this program was "
+        "built: it is Debian's package libjs-katex.</p>\n";
+  for (const auto& page : assets::theory_pages)
+    out += page_of(std::string(page.name), std::string(page.text));
+  return out;
 }
 
 std::string linked(const std::string& html) {
-  static const std::regex citation(R"(THEORY((?:[-, ]+\(\d+\.\d+\))+|(?:\.md)?,? chapter (\d+)))");
-  static const std::string all(assets::theory_md);
+  static const std::regex citation(R"(THEORY((?:[-, ]+\(\d+\.\d+\))+|,? chapter (\d+)))");
   std::string out;
   std::size_t from = 0;
   for (std::sregex_iterator m(html.begin(), html.end(), citation), end; m != end; ++m) {
     out.append(html, from, static_cast<std::size_t>(m->position()) - from);
     const std::string chapter = (*m)[2];
+    const auto* there = std::ranges::find_if(assets::theory_pages, [&](const assets::TheoryPage& page) {
+      return !chapter.empty() && id_of(std::string(page.name)) == "theory-" + chapter;
+    });
     if (chapter.empty())
-      out += with_links(m->str(), known(), "<a href=\"#{0}\">{1}</a>");
-    else if (all.find("\n## " + chapter + ". ") != std::string::npos)
+      out += with_links(m->str());
+    else if (there != assets::theory_pages.end())
       out += fmt::format("<a href=\"#theory-{}\">{}</a>", chapter, m->str());
     else
       out += m->str();

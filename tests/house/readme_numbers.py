@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """readme_numbers.py SOURCE: what README and verification/README say in numbers is what is stored: planted faults as score.json counts them, intervals of
-orders as the table of THEORY has them."""
+orders as the table of what was measured has them."""
 import json
 import pathlib
 import re
@@ -19,7 +19,7 @@ def intervals(source):
     """For each of the two schemes without projection: intervals that end below 1.9 on irregular clouds, and all studies there.
     Clipped rings, on which nothing is claimed, do not count."""
     counts, solution = {"adjoint": [0, 0], "paper": [0, 0]}, ""
-    for line in (source / "lib/THEORY.md").read_text().splitlines():
+    for line in (source / "lib/theory/measured-compatible-bonds.md").read_text().splitlines():
         cells = [c.strip() for c in line.strip("|").split("|")]
         if len(cells) != 6 or not re.match(CLOUDS, cells[0]):
             continue

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -67,15 +68,17 @@ TEST(Explain, SaysHowACompatibleTableIsMade) {
 
 /// All equations that any scene's explanation cites stand in THEORY.
 TEST(Explain, CitesEquationsThatExist) {
-  const auto theory = test::content_of(PLUMBLINE_SOURCE_DIR "/lib/THEORY.md");
-  const std::regex number(R"(\([0-9]+\.[0-9]+\))");
+  std::string theory;
+  for (const auto& page : std::filesystem::directory_iterator(PLUMBLINE_SOURCE_DIR "/lib/theory"))
+    theory += test::content_of(page.path().string());
+  const std::regex number(R"(\(([0-9]+\.[0-9]+)\))");
   std::size_t cited = 0;
   for (const char* scene : {"bending-column", "swinging-plate", "free_plate"}) {
     const json explanation = explained(scene);
     for (const auto& statement : explanation["solves"]) {
       const auto text = statement["theory"].get<std::string>();
       for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match, ++cited)
-        EXPECT_NE(theory.find("\n    " + match->str()), std::string::npos)
+        EXPECT_NE(theory.find("\\tag{" + match->str(1) + "}"), std::string::npos)
             << match->str() << " of " << statement;
     }
   }

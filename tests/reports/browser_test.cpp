@@ -59,6 +59,29 @@ TEST_P(InBrowser, OpensWithoutErrorsFitsTheWidthSortsFiltersAndMoves) {
   EXPECT_GE(seen["text"], 16);  // CSS pixels: the size that telephones are made for
 }
 
+/// Every formula of lib/theory is one for KaTeX, which is strict: a slip is an error and not a guess. What is drawn needs no font
+/// but those inside the page, and leaves no letter of LaTeX behind.
+TEST_F(InBrowser, DrawsEveryFormula) {
+  const auto seen = Browser().open(page_text(), 1600, R"js(
+const all = [...document.querySelectorAll('x-equation')];
+seen.formulas = all.length;
+seen.undrawn = all.filter(e => !e.querySelector('.katex-html')).map(e => e.textContent);
+seen.refused = [...document.querySelectorAll('.katex-error')].map(e => e.title);
+const inside = [...document.querySelector('style').textContent.matchAll(/@font-face{font-family:(KaTeX_\w+);font-style:(\w+)/g)]
+  .map(m => m[1] + ' ' + m[2]);
+const kinds = new Map([...document.querySelectorAll('.katex-html *')].map(e => [e.parentElement.className + '/' + e.className, e]));
+seen.fonts = [...new Set([...kinds.values()].map(e => getComputedStyle(e))
+  .map(s => s.fontFamily.split(',')[0] + ' ' + s.fontStyle + (s.fontWeight === '400' ? '' : ' ' + s.fontWeight)))]
+  .filter(f => !inside.includes(f));
+)js");
+  EXPECT_EQ(seen["console"], "");
+  EXPECT_GT(seen["formulas"], 1000);
+  EXPECT_TRUE(seen["undrawn"].empty())
+      << "without libjs-katex nothing is drawn; it is in .ci/packages.txt: " << seen["undrawn"];
+  EXPECT_TRUE(seen["refused"].empty()) << seen["refused"];
+  EXPECT_TRUE(seen["fonts"].empty()) << seen["fonts"];
+}
+
 INSTANTIATE_TEST_SUITE_P(Widths, InBrowser, testing::Values(400, 1600));
 
 /// Paper has no script: what it shows is also what a reader without JavaScript can read, closed tables

@@ -62,13 +62,24 @@ TEST(Page, EveryWordIsExplained) {
   EXPECT_NE(page.find("m^2 in 2D and m^2.5 in 3D"), std::string::npos);
 }
 
+/// `text` without what stands between `from` and `to`.
+std::string without(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += from.size())
+    text.erase(at + from.size(), text.find(to, at) - at - from.size());
+  return text;
+}
+
 TEST(Page, NothingComesFromTheNetwork) {
-  const std::string page = html(sample());
-  for (const auto& place : all(page, R"((?:src|href|action)=["']([^"']*)["'])"))
+  const std::string page = without(html(sample()), "<script>", "</script>");  // KaTeX has words of HTML in it
+  // A link to a paper is followed by a reader, if at all: nothing loads it.
+  const std::regex paper(R"(<a href="https://(doi|arxiv)\.org/)");
+  for (const auto& place :
+       all(std::regex_replace(page, paper, "<a href=\"#"), R"((?:src|href|action)=["']([^"']*)["'])"))
     EXPECT_TRUE(place.starts_with("#") || place.starts_with("data") || place.starts_with("figures/"))
         << place;
   EXPECT_EQ(page.find("@import"), std::string::npos);
-  EXPECT_EQ(page.find("url("), std::string::npos);
+  for (std::size_t at = 0; (at = page.find("url(", at)) != std::string::npos; ++at)
+    EXPECT_EQ(page.compare(at, 9, "url(data:"), 0) << page.substr(at, 40);
 }
 
 TEST(Page, IdsAreUniqueAndEveryAnchorHasOne) {
