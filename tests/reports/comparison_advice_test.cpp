@@ -10,8 +10,10 @@
 #include "tests/reports/comparison_given.hpp"
 
 namespace plumb::reports::sections {
-SectionPlan five_schemes(bool long_run);
+namespace five_schemes {
+SectionPlan planned(bool long_run);
 }
+}  // namespace plumb::reports::sections
 
 namespace {
 
