@@ -28,6 +28,18 @@ struct Row {
   const char* words;  ///< of the only limit; empty: there is none
 };
 
+TEST(Limits, ClippedParticlesAlternate) {
+  const auto ball = [](const std::string& more) {
+    std::string text = scene;
+    text.replace(text.find("size = [1, 1]"), 13, "shape = \"ball\"\ncentre = [0, 0]\nradius = 1");
+    return limits_of(
+        parse_scene(text + "[method]\ngradient = \"compatible\"\n" + more, "a.toml", {"body.layout=cell"}));
+  };
+  ASSERT_EQ(ball("").size(), 1u);
+  EXPECT_NE(ball("")[0].find("clips, without [hourglass]"), std::string::npos) << ball("")[0];
+  EXPECT_TRUE(ball("[hourglass]\n").empty());
+}
+
 /// plumb static with affine-patch says which of them miss linear fields: compatible and variational do not.
 TEST(Limits, AreToldWhereTheSchemeHasThem) {
   for (const Row& row :
