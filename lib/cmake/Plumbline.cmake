@@ -119,7 +119,7 @@ endforeach()
 endfunction()
 
 # plumbline_precompile(TARGET HEADER..): reads these headers of other projects once for all sources of the target: half of the
-# time of a test goes into them. Not for the libraries below: there each source shows that its own header stands alone.
+# time of a test goes into them. For the libraries below in unity builds only: one by one each source shows that its own header stands alone.
 function(plumbline_precompile name)
   target_precompile_headers(${name} PRIVATE ${ARGN})
   plumbline_precompiled_with_ccache(${name})

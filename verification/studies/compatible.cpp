@@ -12,7 +12,7 @@
 #include "mms/static_study.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::compatible_study {
 
 namespace {
 
@@ -220,3 +220,5 @@ TEST_CASE("compatible: 100000 steps of a spinning square and of a spinning ring 
                               "scene.end_time=100", "hourglass.alpha=0.5"}),
                   100));
 }
+
+}  // namespace plumb::compatible_study

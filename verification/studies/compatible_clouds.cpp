@@ -11,7 +11,7 @@
 #include "places.hpp"
 #include "reports/evidence.hpp"
 
-using namespace plumb;
+namespace plumb::compatible_clouds_study {
 
 namespace {
 
@@ -136,3 +136,5 @@ TEST_CASE("compatible: column under traction and cube on irregular clouds", "[co
   expect_no_order_2(
       order_of("stretched_column.toml", "column, jitter 0.2, adjoint", adjoint + jitter("0.2") + declared));
 }
+
+}  // namespace plumb::compatible_clouds_study

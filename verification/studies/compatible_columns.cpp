@@ -10,7 +10,7 @@
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::compatible_columns_study {
 
 namespace {
 
@@ -99,3 +99,5 @@ TEST_CASE("compatible: column pulled to 533 %", "[compatible][long]") {
       CHECK(o.hourglass_share < 0.15);
     }
 }
+
+}  // namespace plumb::compatible_columns_study

@@ -15,7 +15,7 @@
 #include "lib/schemes/tlsph/bonds/momentum_form.hpp"
 #include "lib/schemes/tlsph/compatible/compatible.hpp"
 
-using namespace plumb;
+namespace plumb::compatible_growth_study {
 
 namespace {
 
@@ -155,3 +155,5 @@ TEST_CASE("compatible: no two rows of a lattice are alike", "[compatible][lattic
 TEST_CASE("compatible: no two rows of a larger lattice are alike", "[compatible][lattice-rows][long]") {
   CHECK(different_rows(32) == 32 * 32 * 32);
 }
+
+}  // namespace plumb::compatible_growth_study

@@ -11,7 +11,7 @@
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "lib/spectrum/spectrum.hpp"
 
-using namespace plumb;
+namespace plumb::compatible_hard_study {
 
 namespace {
 
@@ -274,3 +274,5 @@ TEST_CASE("compatible: hard clouds, holes, cuts and corners", "[compatible][hard
   for (const auto& shape : shapes<3>(0.2))
     for (const auto& hard : clouds_of<3>(shape)) expect_sound<3>(hard);
 }
+
+}  // namespace plumb::compatible_hard_study

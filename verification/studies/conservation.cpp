@@ -14,7 +14,7 @@
 #include "lib/schemes/tlsph/time/integrator.hpp"
 #include "tests/support/solids.hpp"
 
-using namespace plumb;
+namespace plumb::conservation_study {
 using plumb::testing::Scheme;
 
 namespace {
@@ -218,3 +218,5 @@ TEST_CASE("conservation: the forces of a pair are opposite", "[conservation]") {
     CHECK(worst < 1e-14 * size);  // one product and one quotient of volumes
   }
 }
+
+}  // namespace plumb::conservation_study

@@ -12,7 +12,7 @@
 #include "lib/schemes/tlsph/measures/solid_measures.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::conservation_energy_study {
 
 namespace {
 
@@ -121,3 +121,5 @@ TEST_CASE("conservation: JST takes energy, in every step with L^T V L, and is al
     CHECK(std::abs(sums.part("integrator").energy) < 0.05 * std::abs(sums.part("jst").energy));
   }
 }
+
+}  // namespace plumb::conservation_energy_study

@@ -11,7 +11,7 @@
 #include "mms/manufactured.hpp"
 #include "mms/norms.hpp"
 
-using namespace plumb;
+namespace plumb::implicit_study {
 
 namespace {
 
@@ -109,3 +109,5 @@ TEST_CASE("implicit: static plate at finite strain is of second order with compa
       order_of<2>(plate, with_gradient("compatible", 1), spacings, 0.2, "compatible, alpha 1, jitter 0.2");
   CHECK(irregular.lower > 1.5);
 }
+
+}  // namespace plumb::implicit_study

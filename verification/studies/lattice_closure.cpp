@@ -17,7 +17,7 @@
 #include "mms/static_study.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::lattice_closure_study {
 using Set = std::vector<std::string>;
 
 namespace {
@@ -311,3 +311,5 @@ TEST_CASE("closure: columns of paper 003 with one setting", "[closure]") {
 TEST_CASE("closure: columns of paper 003 with one setting, refined", "[closure][long]") {
   expect_columns(8, 0.015, 0.015, 5e-4);
 }
+
+}  // namespace plumb::lattice_closure_study

@@ -8,7 +8,7 @@
 #include "mms/static_study.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::loads_study {
 
 namespace {
 
@@ -58,3 +58,5 @@ TEST_CASE("loads: static fields with tractions are of second order", "[loads]") 
   at_rest("plane_cantilever.toml");
   at_rest("plane_cantilever.toml", {"body.jitter=0.2", "body.seed=1"});
 }
+
+}  // namespace plumb::loads_study

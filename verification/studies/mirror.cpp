@@ -8,7 +8,7 @@
 #include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
-using namespace plumb;
+namespace plumb::mirror_study {
 using plumb::testing::Scheme;
 
 namespace {
@@ -76,3 +76,5 @@ TEST_CASE(
   require_walls_named<2>();
   require_walls_named<3>();
 }
+
+}  // namespace plumb::mirror_study

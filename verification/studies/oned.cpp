@@ -8,9 +8,9 @@
 
 #include "oned/study.hpp"
 
+namespace plumb::oned_study {
 namespace {
 
-using namespace plumb;
 using namespace plumb::oned;
 
 const TestField cubic = parse_field("poly:1,0,0,1");
@@ -165,3 +165,5 @@ TEST_CASE(
     CHECK(gain == Approx(0.75 * ratio).epsilon(0.1));  // jitter spreads V W1(0) by some percent
   }
 }
+
+}  // namespace plumb::oned_study

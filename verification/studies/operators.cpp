@@ -9,7 +9,7 @@
 #include "mms/operators.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::operators_study {
 
 namespace {
 
@@ -118,3 +118,5 @@ TEST_CASE("Operators: the variationally consistent force meets the integration c
   CHECK(solid.constraint() < round_off);
   CHECK(ring({"method.momentum=variational"}).constraint() < round_off);
 }
+
+}  // namespace plumb::operators_study

@@ -9,7 +9,7 @@
 #include "mms/temporal.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::refinement_study {
 
 namespace {
 
@@ -174,3 +174,5 @@ TEST_CASE("Refinement: the integrators have their orders, (30) as printed has on
     if (order.declared > 1) CHECK(order.levels.front().error < 0.01 * result.spatial_error);
   }
 }
+
+}  // namespace plumb::refinement_study

@@ -8,7 +8,7 @@
 #include "lib/schemes/tlsph/boundary/supports.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::scenes_study {
 
 namespace {
 
@@ -77,3 +77,5 @@ TEST_CASE("scenes: the bar under its weight hangs as far as its stiffness says",
   CHECK(fine == Approx(exact).epsilon(0.01));
   CHECK(std::abs(fine - exact) < std::abs(coarse - exact));
 }
+
+}  // namespace plumb::scenes_study

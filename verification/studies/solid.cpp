@@ -11,7 +11,7 @@
 #include "lib/schemes/tlsph/run/solid_run.hpp"
 #include "tests/support/solids.hpp"
 
-using namespace plumb;
+namespace plumb::solid_study {
 using plumb::testing::rubber_block;
 using plumb::testing::Scheme;
 
@@ -203,3 +203,5 @@ TEST_CASE("solid: the undamped swinging plate keeps its energy with the adjoint 
   CHECK(coarse / fine == Approx(4).epsilon(0.15));  // the energy of Verlet oscillates with dt^2
   CHECK(longer < 1.5 * coarse);                     // bounded: no drift
 }
+
+}  // namespace plumb::solid_study

@@ -9,7 +9,7 @@
 #include "lib/scene/tlsph.hpp"
 #include "lib/spectrum/lattice_symbol.hpp"
 
-namespace plumb {
+namespace plumb::spectrum_study {
 namespace {
 
 Scene block(int dimension, int n, double poisson) {
@@ -200,4 +200,4 @@ TEST_CASE("inside a body the operator acts on a wave as its symbol says", "[spec
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::spectrum_study

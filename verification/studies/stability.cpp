@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-using namespace plumb;
+namespace plumb::stability_study {
 
 namespace {
 
@@ -63,3 +63,5 @@ TEST_CASE("every stability study can be read and its scenes exist", "[stability]
         "bending-cfl-nu", "bending-cfl-beta", "pulling-stretch-nu", "twisting-rate-resolution"})
     CHECK(study_named(name).variants.size() >= 2);
 }
+
+}  // namespace plumb::stability_study

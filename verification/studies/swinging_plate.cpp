@@ -5,7 +5,7 @@
 #include "mms/study.hpp"
 #include "places.hpp"
 
-using namespace plumb;
+namespace plumb::swinging_plate_study {
 
 namespace {
 
@@ -131,3 +131,5 @@ TEST_CASE("Swinging plate, printed amplitude: the modelling floor is measured an
   CHECK(fit.verdict == "noise-floor");
   CHECK(result.status == "inconclusive");
 }
+
+}  // namespace plumb::swinging_plate_study

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace plumb;
+namespace plumb::units_study {
 
 namespace {
 
@@ -246,3 +246,5 @@ TEST_CASE("the schemes of the maps of stability end alike in other units and at 
     }
   }
 }
+
+}  // namespace plumb::units_study
