@@ -1,9 +1,9 @@
 #include "lib/schemes/tlsph/compatible/solver/coarsest.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <cmath>
+
+#include "lib/linear/dense.hpp"
 
 namespace plumb {
 namespace {
@@ -45,10 +45,6 @@ MatrixXd quadratics(const SplineMatrix<d>& matrix) {
   return Q;
 }
 
-MatrixXd orthonormal(const MatrixXd& columns) {
-  return Eigen::JacobiSVD<MatrixXd>(columns, Eigen::ComputeThinU).matrixU();
-}
-
 /// The matrix of the bonds, scaled to a diagonal of 1. Fields of degree 2 are in its null space; rounding
 /// gives them small eigenvalues, so they are taken out.
 struct Scaled {
@@ -60,7 +56,7 @@ Scaled scaled(const SplineMatrix<d>& matrix) {
   Scaled s{Eigen::VectorXd(matrix.rows()), {}};
   for (Index k = 0; k < matrix.rows(); ++k) s.scale[k] = std::sqrt(matrix.inverse_diagonal[k]);
   const Eigen::VectorXd root = s.scale.unaryExpr([](double x) { return x > 0 ? 1 / x : 0; });
-  const MatrixXd basis = orthonormal(root.asDiagonal() * quadratics(matrix));
+  const MatrixXd basis = orthonormal_basis(root.asDiagonal() * quadratics(matrix), 0);
   s.matrix = s.scale.asDiagonal() * dense(matrix) * s.scale.asDiagonal();
   s.matrix -= basis * (basis.transpose() * s.matrix);
   s.matrix -= (s.matrix * basis) * basis.transpose();
@@ -69,12 +65,12 @@ Scaled scaled(const SplineMatrix<d>& matrix) {
 
 /// Without the null space, in which splines are, too, that particles cannot tell apart.
 MatrixXd pseudo_inverse(const Scaled& s) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(s.matrix);
-  Eigen::VectorXd inverse = eigen.eigenvalues();
+  const SymmetricPairs eigen = symmetric_pairs(s.matrix);
+  Eigen::VectorXd inverse = eigen.values;
   const double most = inverse.maxCoeff();
   for (double& value : inverse) value = value > rounding * most ? 1 / value : 0;
-  return s.scale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() *
-         eigen.eigenvectors().transpose() * s.scale.asDiagonal();
+  return s.scale.asDiagonal() * eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose() *
+         s.scale.asDiagonal();
 }
 
 /// sum_i dB_k/dX_a dB_l/dX_b at all particles: row k d + a, column l d + b.
@@ -137,12 +133,12 @@ MatrixXd coupled_inverse(const SplineMatrix<d>& matrix, const Scaled& bonds, con
           all(k * d + a, l * d + a) += bonds.matrix(k, l) / (bonds.scale[k] * bonds.scale[l]);
     }
   all = scale.asDiagonal() * all * scale.asDiagonal();
-  const MatrixXd basis = orthonormal(Q);
+  const MatrixXd basis = orthonormal_basis(Q, 0);
   const MatrixXd onto = basis.transpose() * (scale.asDiagonal() * divergence * scale.asDiagonal()) * basis;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(onto);
+  const SymmetricPairs eigen = symmetric_pairs(onto);
   for (Eigen::Index k = 0; k < onto.rows(); ++k) {
-    if (eigen.eigenvalues()[k] > 1e-10 * eigen.eigenvalues().maxCoeff()) continue;
-    const Eigen::VectorXd null = basis * eigen.eigenvectors().col(k);
+    if (eigen.values[k] > 1e-10 * eigen.values.maxCoeff()) continue;
+    const Eigen::VectorXd null = basis * eigen.vectors.col(k);
     all += null * null.transpose();
   }
   all.diagonal().array() += rounding;

@@ -1,7 +1,8 @@
 #include "lib/schemes/tlsph/compatible/solver/quadratic_fields.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "lib/linear/dense.hpp"
 
 namespace plumb {
 
@@ -49,13 +50,12 @@ Products<d> products(const QuadraticFields<d>& fields, const BondOperator<d>& N)
 
 /// Columns that are orthonormal in this product: fields that the particles do not tell apart are left out.
 Eigen::MatrixXd orthonormal_in(const Eigen::MatrixXd& gram) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  const double least = 1e-13 * eigen.eigenvalues()[gram.rows() - 1];
+  const SymmetricPairs eigen = symmetric_pairs(gram);
+  const double least = 1e-13 * eigen.values[gram.rows() - 1];
   Eigen::Index first = 0;
-  while (eigen.eigenvalues()[first] <= least) ++first;
+  while (eigen.values[first] <= least) ++first;
   const Eigen::Index count = gram.rows() - first;
-  return eigen.eigenvectors().rightCols(count) *
-         eigen.eigenvalues().tail(count).cwiseSqrt().cwiseInverse().asDiagonal();
+  return eigen.vectors.rightCols(count) * eigen.values.tail(count).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace
@@ -67,12 +67,12 @@ QuadraticFields<d> quadratic_fields(const BondOperator<d>& N) {
   for (const auto& x : N.X) fields.radius = std::max(fields.radius, (x - fields.centre).norm());
   const auto [gram, matrix] = products(fields, N);
   const Eigen::MatrixXd basis = orthonormal_in(gram);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(basis.transpose() * matrix * basis);
-  const Eigen::MatrixXd vectors = basis * eigen.eigenvectors();
+  const SymmetricPairs eigen = symmetric_pairs(basis.transpose() * matrix * basis);
+  const Eigen::MatrixXd vectors = basis * eigen.vectors;
   fields.along_null = Eigen::MatrixXd::Zero(gram.rows(), gram.rows());
   for (Eigen::Index k = 0; k < vectors.cols(); ++k)
     // the others are of the order of the largest: |div q|^2 of fields of one size
-    if (!(eigen.eigenvalues()[k] > 1e-10 * eigen.eigenvalues().maxCoeff()))
+    if (!(eigen.values[k] > 1e-10 * eigen.values.maxCoeff()))
       fields.along_null += vectors.col(k) * vectors.col(k).transpose();
   return fields;
 }
