@@ -29,8 +29,9 @@ void require_finite(const MatrixXd& matrix) {
                      "look at the state that it was made of");
 }
 
-void require_converged(lapack_int info) {
-  if (info != 0) throw std::runtime_error("the eigenvalues of a matrix did not converge");
+void require_done(lapack_int info) {
+  if (info > 0) throw std::runtime_error("the eigenvalues of a matrix did not converge");
+  if (info < 0) throw std::runtime_error("there was no memory for the work on a dense matrix");
 }
 
 VectorXd symmetric(MatrixXd& matrix, char job) {
@@ -39,7 +40,7 @@ VectorXd symmetric(MatrixXd& matrix, char job) {
   if (values.size() == 0) return values;
   const Alone alone;
   const lapack_int n = as_lapack(matrix.rows());
-  require_converged(LAPACKE_dsyevd(LAPACK_COL_MAJOR, job, 'L', n, matrix.data(), n, values.data()));
+  require_done(LAPACKE_dsyevd(LAPACK_COL_MAJOR, job, 'L', n, matrix.data(), n, values.data()));
   return values;
 }
 
@@ -51,9 +52,8 @@ VectorXcd general(MatrixXd& matrix, MatrixXd* vectors) {
   VectorXd real(values.size()), imaginary(values.size());
   const Alone alone;
   const lapack_int n = as_lapack(matrix.rows());
-  require_converged(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', vectors ? 'V' : 'N', n, matrix.data(), n,
-                                  real.data(), imaginary.data(), nullptr, 1,
-                                  vectors ? vectors->data() : nullptr, n));
+  require_done(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', vectors ? 'V' : 'N', n, matrix.data(), n, real.data(),
+                             imaginary.data(), nullptr, 1, vectors ? vectors->data() : nullptr, n));
   values.real() = real;
   values.imag() = imaginary;
   return values;
@@ -94,14 +94,14 @@ MatrixXd orthonormal_basis(MatrixXd columns, double least) {
   const lapack_int rows = as_lapack(columns.rows());
   std::vector<lapack_int> order(static_cast<std::size_t>(columns.cols()), 0);  // 0: free to move
   VectorXd scales(most);
-  LAPACKE_dgeqp3(LAPACK_COL_MAJOR, rows, as_lapack(columns.cols()), columns.data(), rows, order.data(),
-                 scales.data());
+  require_done(LAPACKE_dgeqp3(LAPACK_COL_MAJOR, rows, as_lapack(columns.cols()), columns.data(), rows,
+                              order.data(), scales.data()));
   const VectorXd lengths = columns.diagonal().cwiseAbs();  // descending
   Eigen::Index rank = 0;
   while (rank < most && lengths[rank] > least * lengths[0]) ++rank;
   if (rank == 0) return {columns.rows(), 0};
-  LAPACKE_dorgqr(LAPACK_COL_MAJOR, rows, as_lapack(rank), as_lapack(rank), columns.data(), rows,
-                 scales.data());
+  require_done(LAPACKE_dorgqr(LAPACK_COL_MAJOR, rows, as_lapack(rank), as_lapack(rank), columns.data(), rows,
+                              scales.data()));
   return columns.leftCols(rank);
 }
 

@@ -16,7 +16,7 @@ struct ComplexPairs {
   Eigen::MatrixXcd vectors;
 };
 
-// All of these are LAPACK's. They throw std::runtime_error if an iteration does not converge, InputError if a number of the matrix is not
+// All of these are LAPACK's. They throw std::runtime_error if an iteration does not converge or memory runs out, InputError if a number of the matrix is not
 // finite; a matrix of no rows has no pairs.
 
 /// Finds the eigenpairs of a symmetric matrix, of which the lower half is read.

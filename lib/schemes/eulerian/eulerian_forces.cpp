@@ -80,11 +80,11 @@ void Eulerian<d>::hourglass_forces(State& state) {
   const double viscous = (as_printed ? -1 : 1) * options_.viscous() * law_.sound_speed() * h_;
   const double far = 2 / kernel_.per_reach;  // pairs that were farther apart at first are none of the body
   const auto failed = [&](Index i) { return law_.failed(damage_of(state, i)); };
-  const bool forgets = options_.forgets;
+  const bool incremental = options_.incremental_error;
   for_particles(count(), [&](Index i) {
-    S_[i] = 0.5 * (forgets ? reference_->gradient(x_, i) : tensor_at<d>(state.F, i));
+    S_[i] = 0.5 * (incremental ? reference_->gradient(x_, i) : tensor_at<d>(state.F, i));
   });
-  const std::vector<Vec<d>>& places = forgets ? reference_->x() : specimen_.cloud.X;
+  const std::vector<Vec<d>>& places = incremental ? reference_->x() : specimen_.cloud.X;
   for_rows(pairs(), viscous != 0 ? Seen::openings : Seen::positions, [&](Index i, const PairRow<d>& row) {
     Vec<d> force = Vec<d>::Zero();
     for (Index m = 0; m < row.count; ++m) {

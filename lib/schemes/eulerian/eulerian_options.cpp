@@ -50,11 +50,12 @@ EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o)
       {"damping", "half of the stress increment (stress: the same), extrapolated velocities, or none"},
       o.damping, {"objective", "stress", "extrapolated", "none"});
   if (o.damping == "stress") o.damping = "objective";
-  o.forgets =
+  o.incremental_error =
       section.choice_or({"error_vector",
                          "of hourglass control: that of the whole deformation, or since the latest "
                          "reference only (incremental)"},
-                        o.forgets ? "incremental" : "total", {"total", "incremental"}) == "incremental";
+                        o.incremental_error ? "incremental" : "total",
+                        {"total", "incremental"}) == "incremental";
   o.hourglass = section.choice_or(
       {"hourglass", "control of hourglass modes: stiffness (32), viscous (33), mixed (34), or none"},
       o.hourglass, {"stiffness", "viscous", "mixed", "none"});
@@ -69,7 +70,7 @@ EulerianOptions EulerianOptions::read(const Section& section, EulerianOptions o)
                 "the stiffness control (32)");
   refuse_unused("zeta", o.hourglass == "viscous" || o.hourglass == "mixed", "the viscous control (33)");
   refuse_unused("chi", o.hourglass == "mixed", "the mixed control (34)");
-  refuse_unused("error_vector", o.controls_hourglass(), "hourglass control");
+  refuse_unused("error_vector", o.controls_hourglass() || !o.incremental_error, "hourglass control");
   refuse_unused("rereference", o.controls_hourglass(), "the F of hourglass control (30)");
   if (section.has("artificial_exponent") && o.artificial_stress == 0)
     section.fail("artificial_exponent", "there is no artificial stress", "it is the power of its weight",
@@ -120,7 +121,7 @@ std::string EulerianOptions::in_words() const {
                                  force, hourglass, damping, beta);
   if (stiffness_share() > 0 && xi_tension > 0)
     text += fmt::format(", xi {:g} and {:g} of tension", xi, xi_tension);
-  if (forgets) text += ", incremental error vector";
+  if (incremental_error) text += ", incremental error vector";
   if (has_viscosity()) text += fmt::format(", viscosity {:g}, {:g}", viscosity_linear, viscosity_quadratic);
   if (artificial_stress > 0) text += fmt::format(", artificial stress {:g}", artificial_stress);
   if (diffusion > 0) text += fmt::format(", diffusion of density {:g}", diffusion);
@@ -138,7 +139,7 @@ std::vector<std::string> EulerianOptions::warnings() const {
   if (!adjoint() && damping == "none")
     found.push_back(
         fmt::format("the {} force lets a free body at rest grow: without damping it breaks", force));
-  if (controls_hourglass() && forgets)
+  if (incremental_error)
     found.emplace_back(
         "the incremental error vector forgets at each new reference what hourglass control has not undone");
   if (damping == "extrapolated")

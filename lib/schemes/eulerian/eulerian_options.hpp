@@ -17,7 +17,7 @@ struct EulerianOptions {
       "adjoint";  ///< adjoint: minus the power of the stress | printed: (10), (11) | plain: (11) without (10)
   std::string damping = "objective";    ///< objective: half of the stress increment | extrapolated | none
   std::string hourglass = "stiffness";  ///< stiffness (32) | viscous (33) | mixed (34) | none
-  bool forgets = false;            ///< (31) of the latest reference only, without the error of those before
+  bool incremental_error = false;  ///< (31) since the latest reference only: errors before it are forgotten
   double xi = 0.5;                 ///< of (32)
   double xi_tension = 0;           ///< how tension raises xi, THEORY (18.11); not in the paper
   double zeta = 10;                ///< of (33)

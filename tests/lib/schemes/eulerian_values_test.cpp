@@ -115,11 +115,11 @@ TEST(EulerianHourglass, SpringsPullBack) {
 TEST(EulerianHourglass, TheIncrementalErrorIsForgottenAtEachReference) {
   EulerianOptions o;
   o.xi = 1;
-  o.forgets = true;  // the latest reference holds the displaced particle: there is no error since
+  o.incremental_error = true;  // the latest reference holds the displaced particle: there is no error since
   EXPECT_LT(displaced(o, {0, 0}).force.norm(), 1e-15);  // rounding
   const Cloud<2> cloud = cells<2>({6, 6}, 0.5);
-  const auto pull = [&](bool forgets) {  // a zigzag, before there is any other reference
-    o.forgets = forgets;
+  const auto pull = [&](bool incremental) {  // a zigzag, before there is any other reference
+    o.incremental_error = incremental;
     auto body = eulerian_body<2>(cloud, o);
     auto state = body.start({});
     for (Index i = 0; i < cloud.size(); ++i) state.u[0][i] = i % 2 ? 0.01 : -0.01;
