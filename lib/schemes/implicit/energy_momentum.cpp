@@ -9,13 +9,6 @@ constexpr int most_equation_solves = 60;
 constexpr int most_halvings = 12;
 
 template <int d>
-double volume_of(const Cloud<d>& cloud) {
-  double sum = 0;
-  for (const double V : cloud.V) sum += V;
-  return sum;
-}
-
-template <int d>
 Mat<d> tensor_at(const Eigen::VectorXd& all, Index place) {
   Mat<d> A;
   for (int n = 0; n < d * d; ++n) A(n / d, n % d) = all[d * d * place + n];
@@ -46,22 +39,10 @@ template <int d>
 struct EnergyMomentum<d>::Middle {
   std::shared_ptr<const EnergyOperators<d>> operators;
   PointLaw<d> law;
-  double energy_round_off;  ///< of W near the reference [Pa]
-  Eigen::VectorXd before;   ///< F
-  bool exact = false;       ///< the tangent is that of (15.15), not dP/dF of the middle
+  Eigen::VectorXd before;  ///< F
+  bool exact = false;      ///< the tangent is that of (15.15), not a symmetric one near it
 
   Eigen::VectorXd gradients(const Eigen::VectorXd& u) const { return operators->gradients(u); }
-  /// What round-off of W leaves of the force, by way of the bracket of (15.13) [N].
-  double residual_round_off(const Eigen::VectorXd& u) const {
-    const Eigen::VectorXd F = gradients(u);
-    Eigen::VectorXd P(F.size());
-    for (Index q = 0; q < F.size() / (d * d); ++q) {
-      const double change = change_of_stretch<d>(tensor_at<d>(before, q), tensor_at<d>(F, q)).norm();
-      const double error = change > no_change ? 2 * energy_round_off / change : 0;
-      P.segment(d * d * q, d * d) = error * F.segment(d * d * q, d * d).cwiseAbs();
-    }
-    return operators->gradient.largest_forces(operators->weight, P).norm();
-  }
   /// Minus the internal force of the step [N]; nullopt if J is not positive at its middle or its end.
   std::optional<Eigen::VectorXd> residual(const Eigen::VectorXd& u, std::optional<Trouble>& trouble) const {
     const Eigen::VectorXd F = gradients(u);
@@ -84,8 +65,7 @@ template <int d>
 EnergyMomentum<d>::EnergyMomentum(const StoredEnergy<d>& energy, PointLaw<d> law, const Actions<d>& actions,
                                   double tolerance, const BodyMotion& from)
     : tolerance_(tolerance),
-      middle_(std::make_shared<Middle>(
-          Middle{energy.operators, std::move(law), energy.round_off / volume_of(energy.cloud), {}})),
+      middle_(std::make_shared<Middle>(Middle{energy.operators, std::move(law), {}})),
       balance_(
           [&] {
             StoredEnergy<d> with_steps = energy;
@@ -95,8 +75,9 @@ EnergyMomentum<d>::EnergyMomentum(const StoredEnergy<d>& energy, PointLaw<d> law
             };
             with_steps.trouble = [trouble] { return *trouble; };
             with_steps.tangent = [middle = middle_](const Mat<d>& F, Index place) {
-              return middle->exact ? tangent_of_step<d>(middle->law, tensor_at<d>(middle->before, place), F)
-                                   : middle->law.tangent(F);
+              const Mat<d> before = tensor_at<d>(middle->before, place);
+              return middle->exact ? tangent_of_step<d>(middle->law, before, F)
+                                   : symmetric_tangent_of_step<d>(middle->law, before, F);
             };
             return with_steps;
           }(),
@@ -131,15 +112,17 @@ NewtonResult EnergyMomentum<d>::step(BodyMotion& motion, double dt) {
     if (!r.allFinite()) return result;
     middle_->exact = middle_->exact || (n > 0 && slow(result.residuals));
     balance_.linearise_at(middle);
+    // F_1 = 2 F_m - F_0 has that of F_m twice and that of F_0
+    const SparseMatrix K = balance_.tangent();
     const double round_off =
-        balance_.energy().residual_round_off(middle) + middle_->residual_round_off(middle);
+        3 * balance_.energy().residual_round_off(middle) + product_round_off(K, balance_.free_part(middle));
     if (r.norm() <= tolerance_ * scale || r.norm() <= round_off) {
       const Eigen::VectorXd moved = 2 * (middle - u);
       motion = {u + moved, 2 / dt * moved - v, motion.time + dt, motion.step + 1};
       result.end = NewtonEnd::converged;
       return result;
     }
-    const auto solution = (middle_->exact ? exact_solver_ : solver_).solve(balance_.tangent(), -r);
+    const auto solution = (middle_->exact ? exact_solver_ : solver_).solve(K, -r);
     if (!solution) return result;
     middle += nearer(balance_, middle, balance_.whole(solution->x), r.norm(), middle_->exact);
   }

@@ -1,5 +1,10 @@
 #include "lib/schemes/implicit/step_stress.hpp"
 
+#include <gsl/gsl_integration.h>
+
+#include <Eigen/Cholesky>
+#include <vector>
+
 #include "lib/core/error.hpp"
 #include "lib/material/laws.hpp"
 #include "lib/material/tangent.hpp"
@@ -12,33 +17,86 @@ Mat<d> symmetric_part(const Mat<d>& A) {
   return 0.5 * (A + A.transpose());
 }
 
-/// What (15.13) is made of at one point.
 template <int d>
-struct Step {
-  Mat<d> inverse, P;  ///< of the middle
-  Mat<d> after;       ///< F_1
-  Mat<d> S;           ///< S_m
-  Mat<d> change;      ///< C_1 - C_0
-  double bracket;     ///< over |C_1 - C_0|^2
-  bool corrected;     ///< C_1 - C_0 is something
-};
+Vec<d * d> as_column(const Mat<d>& A) {
+  Vec<d * d> column;
+  for (int n = 0; n < d * d; ++n) column[n] = A(n / d, n % d);
+  return column;
+}
 
 template <int d>
-Step<d> step_at(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle) {
-  Step<d> step;
-  step.inverse = middle.inverse();
-  step.P = law.first_piola(middle);
-  step.after = 2 * middle - before;
-  step.S = symmetric_part<d>(step.inverse * step.P);
-  step.change = change_of_stretch<d>(before, middle);
-  const double size = step.change.squaredNorm();
-  step.corrected = size > no_change * no_change;
-  step.bracket =
-      step.corrected
-          ? (2 * (law.energy(step.after) - law.energy(before)) - step.S.cwiseProduct(step.change).sum()) /
-                size
-          : 0;
-  return step;
+Mat<d> as_tensor(const Vec<d * d>& column) {
+  Mat<d> A;
+  for (int n = 0; n < d * d; ++n) A(n / d, n % d) = column[n];
+  return A;
+}
+
+/// A deformation gradient whose C is given. The law does not feel which of them it is: the triangular one.
+template <int d>
+Mat<d> gradient_of_stretch(const Mat<d>& C) {
+  return Eigen::LLT<Mat<d>>(C).matrixU();
+}
+
+/// Points and weights of Gauss on [0, 1].
+struct Gauss {
+  std::vector<double> at, weight;
+  explicit Gauss(std::size_t points) : at(points), weight(points) {
+    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(points);
+    for (std::size_t k = 0; k < points; ++k)
+      gsl_integration_glfixed_point(0, 1, k, &at[k], &weight[k], table);
+    gsl_integration_glfixed_table_free(table);
+  }
+};
+
+/// n points leave (n!)^4 / ((2n + 1) (2n)!^2) |M|^(2n) of a law whose derivatives grow as those of 1/C, M = C_1 - C_0: 2e-21 of four at
+/// |M| = 0.01, 1e-18 of ten at 0.5 and 1e-12 at 1.
+const Gauss& gauss_for(double change) {
+  static const Gauss few(4), many(10);
+  return change <= 0.01 ? few : many;
+}
+
+/// The way of C through a step.
+template <int d>
+struct Way {
+  Mat<d> before;  ///< C_0
+  Mat<d> change;  ///< C_1 - C_0
+  const Gauss& gauss;
+  Way(const Mat<d>& F0, const Mat<d>& F1)
+      : before(F0.transpose() * F0), change(F1.transpose() * F1 - before), gauss(gauss_for(change.norm())) {}
+  Mat<d> at(std::size_t k) const { return before + gauss.at[k] * change; }
+};
+
+/// The law at one C: what S = F^-1 P needs, F being any deformation gradient with that C.
+template <int d>
+struct Stretched {
+  Mat<d> F, inverse, S;
+
+  Stretched(const PointLaw<d>& law, const Mat<d>& C)
+      : F(gradient_of_stretch<d>(C)),
+        inverse(F.inverse()),
+        S(symmetric_part<d>(inverse * law.first_piola(F))) {}
+  /// How S moves with C.
+  Mat<d> moved(const Mat<d * d>& tangent, const Mat<d>& dC) const {
+    const Mat<d> dF = 0.5 * inverse.transpose() * dC;
+    return symmetric_part<d>(inverse * (as_tensor<d>(tangent * as_column<d>(dF)) - dF * S));
+  }
+};
+
+/// dP/dF_m where F_m moved by D moves the end of the way of C by 2 (D^T G + G^T D).
+template <int d>
+Mat<d * d> tangent_with(const PointLaw<d>& law, const Way<d>& way, const Mat<d>& middle, const Mat<d>& G) {
+  Mat<d* d> made = Mat<d * d>::Zero();
+  for (std::size_t k = 0; k < way.gauss.at.size(); ++k) {
+    const Stretched<d> here(law, way.at(k));
+    const Mat<d* d> tangent = law.tangent(here.F);
+    for (int n = 0; n < d * d; ++n) {
+      Mat<d> D = Mat<d>::Zero();
+      D(n / d, n % d) = 1;
+      const Mat<d> dS = here.moved(tangent, 4 * way.gauss.at[k] * symmetric_part<d>(D.transpose() * G));
+      made.col(n) += way.gauss.weight[k] * as_column<d>(D * here.S + middle * dS);
+    }
+  }
+  return made;
 }
 
 }  // namespace
@@ -59,47 +117,31 @@ PointLaw<d> objective_law(const LawChoice& choice, const Elastic& elastic) {
 }
 
 template <int d>
-Mat<d> change_of_stretch(const Mat<d>& before, const Mat<d>& middle) {
-  const Mat<d> after = 2 * middle - before;
-  return after.transpose() * after - before.transpose() * before;
-}
-
-template <int d>
 Mat<d> stress_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle) {
-  const Step<d> step = step_at<d>(law, before, middle);
-  return middle * (step.S + step.bracket * step.change);
+  const Way<d> way(before, 2 * middle - before);
+  Mat<d> S = Mat<d>::Zero();
+  for (std::size_t k = 0; k < way.gauss.at.size(); ++k)
+    S += way.gauss.weight[k] * Stretched<d>(law, way.at(k)).S;
+  return middle * S;
 }
 
 template <int d>
 Mat<d * d> tangent_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle) {
-  const Step<d> step = step_at<d>(law, before, middle);
-  const Mat<d> S = step.S + step.bracket * step.change;
-  const Mat<d* d> of_middle = law.tangent(middle);
-  const Mat<d> P_after = step.corrected ? law.first_piola(step.after) : Mat<d>::Zero();
-  Mat<d * d> made;
-  for (int n = 0; n < d * d; ++n) {
-    Mat<d> dF = Mat<d>::Zero(), dP;
-    dF(n / d, n % d) = 1;
-    for (int m = 0; m < d * d; ++m) dP(m / d, m % d) = of_middle(m, n);
-    Mat<d> dS = symmetric_part<d>(step.inverse * (dP - dF * step.inverse * step.P));
-    if (step.corrected) {
-      const Mat<d> d_change = 4 * symmetric_part<d>(dF.transpose() * step.after);  // F_1 moves by 2 dF
-      const double d_bracket = (4 * P_after(n / d, n % d) - dS.cwiseProduct(step.change).sum() -
-                                (step.S + 2 * step.bracket * step.change).cwiseProduct(d_change).sum()) /
-                               step.change.squaredNorm();
-      dS += d_bracket * step.change + step.bracket * d_change;
-    }
-    const Mat<d> column = dF * S + middle * dS;
-    for (int m = 0; m < d * d; ++m) made(m, n) = column(m / d, m % d);
-  }
-  return made;
+  const Mat<d> after = 2 * middle - before;
+  return tangent_with<d>(law, Way<d>(before, after), middle, after);
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                     \
-  template PointLaw<d> objective_law<d>(const LawChoice& law, const Elastic& elastic);               \
-  template Mat<d> change_of_stretch<d>(const Mat<d>& before, const Mat<d>& middle);                  \
-  template Mat<d> stress_of_step<d>(const PointLaw<d>&, const Mat<d>& before, const Mat<d>& middle); \
-  template Mat<d * d> tangent_of_step<d>(const PointLaw<d>&, const Mat<d>& before, const Mat<d>& middle);
+template <int d>
+Mat<d * d> symmetric_tangent_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle) {
+  return tangent_with<d>(law, Way<d>(before, 2 * middle - before), middle, middle);
+}
+
+#define PLUMBLINE_INSTANTIATE(d)                                                                          \
+  template PointLaw<d> objective_law<d>(const LawChoice& law, const Elastic& elastic);                    \
+  template Mat<d> stress_of_step<d>(const PointLaw<d>&, const Mat<d>& before, const Mat<d>& middle);      \
+  template Mat<d * d> tangent_of_step<d>(const PointLaw<d>&, const Mat<d>& before, const Mat<d>& middle); \
+  template Mat<d * d> symmetric_tangent_of_step<d>(const PointLaw<d>&, const Mat<d>& before,              \
+                                                   const Mat<d>& middle);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

@@ -16,13 +16,6 @@ struct PointLaw {
 template <int d>
 PointLaw<d> objective_law(const LawChoice& law, const Elastic& elastic);
 
-/// Below this a step changes W by less than its round-off: C_1 - C_0 is taken as nothing. THEORY (15.13)
-inline constexpr double no_change = 1e-8;
-
-/// Returns C_1 - C_0 of a step whose F is `before` at its beginning and `middle` at its middle.
-template <int d>
-Mat<d> change_of_stretch(const Mat<d>& before, const Mat<d>& middle);
-
 /// Returns the stress P [Pa] whose work over the step is the change of W, THEORY (15.13).
 template <int d>
 Mat<d> stress_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle);
@@ -30,5 +23,8 @@ Mat<d> stress_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>
 /// Returns its derivative by F at the middle [Pa]. It is not symmetric. THEORY (15.15)
 template <int d>
 Mat<d * d> tangent_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle);
+/// Returns the symmetric matrix near it that has F_m in place of F_1 [Pa].
+template <int d>
+Mat<d * d> symmetric_tangent_of_step(const PointLaw<d>& law, const Mat<d>& before, const Mat<d>& middle);
 
 }  // namespace plumb

@@ -81,11 +81,14 @@ std::optional<typename TangentSolver<d>::Solution> TangentSolver<d>::iterate(Bal
   }
 }
 
+double product_round_off(const SparseMatrix& K, const Eigen::VectorXd& u) {
+  return std::numeric_limits<double>::epsilon() * (K.cwiseAbs() * u.cwiseAbs()).norm();
+}
+
 template <int d>
 double TangentSolver<d>::round_off(const Balance<d>& balance, const Eigen::VectorXd& u) const {
-  constexpr double unit = std::numeric_limits<double>::epsilon();
-  if (iterates()) return unit * balance.energy().largest_products(u).norm();
-  return unit * (K_.cwiseAbs() * balance.free_part(u).cwiseAbs()).norm();
+  if (iterates()) return std::numeric_limits<double>::epsilon() * balance.energy().largest_products(u).norm();
+  return product_round_off(K_, balance.free_part(u));
 }
 
 template class TangentSolver<1>;

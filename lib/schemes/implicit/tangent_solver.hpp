@@ -9,6 +9,9 @@
 
 namespace plumb {
 
+/// Returns what rounding of u leaves of a residual whose tangent is K: |K| |u| units.
+double product_round_off(const SparseMatrix& K, const Eigen::VectorXd& u);
+
 /// Solves with the tangent of a balance. Where the tangent is not positive, the solution is a
 /// direction in which the potential falls.
 template <int d>

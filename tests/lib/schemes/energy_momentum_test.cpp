@@ -74,8 +74,7 @@ Kept run_free(const StoredEnergy<d>& stored, const Elastic& elastic, const LawCh
 template <int d>
 void all_three_stay() {
   const LawChoice law("neo-hookean");
-  // 80 steps, each exact to the round-off of the energies whose difference corrects the stress, 1e-12 of its
-  // forces
+  // 80 steps, each to the round-off of its forces
   const Solid<d> solid = testing::elastic_body<d>({"compatible"}, law, 0.5, 0.2, 4);
   for (const StoredEnergy<d>& stored :
        {stored_energy(solid),
@@ -155,7 +154,7 @@ TEST(EnergyMomentum, TangentIsTheDerivativeOfTheStressOfTheStep) {
   expect_tangent<2>(LawChoice("mooney-rivlin", {}, Plane::stress));
 }
 
-/// Steps in which the tangent of the middle does not converge. With the exact one each iteration squares the
+/// Steps in which the symmetric tangent gains less than a digit. With the exact one each iteration squares the
 /// residual: its logarithm doubles.
 TEST(EnergyMomentum, TakesSteepStepsQuadratically) {
   const LawChoice law("neo-hookean");
@@ -164,11 +163,11 @@ TEST(EnergyMomentum, TakesSteepStepsQuadratically) {
   BodyMotion motion = spinning(stored.cloud);
   EnergyMomentum<2> rule(stored, objective_law<2>(law, testing::rubber), nothing, 1e-12, motion);
   for (int n = 0; n < 5; ++n) {
-    const NewtonResult result = rule.step(motion, 4e-3);
+    const NewtonResult result = rule.step(motion, 8e-3);
     ASSERT_TRUE(result.converged()) << "step " << n << " ended with residual " << result.residuals.back();
     std::vector<double> exponents;
     for (std::size_t k = 0; k + 1 < result.residuals.size(); ++k)
-      if (const double r = result.residuals[k]; r < 1e-3 && r > 1e-6)  // small, and its square not round-off
+      if (const double r = result.residuals[k]; r < 0.1 && r > 1e-6)  // small, and its square not round-off
         exponents.push_back(std::log(result.residuals[k + 1]) / std::log(r));
     EXPECT_FALSE(exponents.empty());
     for (const double exponent : exponents) EXPECT_GT(exponent, 1.5) << "step " << n;
