@@ -54,7 +54,7 @@ TomlValue converted(const toml::node& node, const std::string& file) {
   return value;
 }
 
-/// The value after "=": as TOML if it is that, else as bare text.
+/// The value after "=": as TOML if it is that, .5 and 5. as the numbers they are, else as bare text.
 TomlValue override_value(const std::string& text) {
   try {
     const toml::table parsed = toml::parse("v = " + text);
@@ -62,9 +62,11 @@ TomlValue override_value(const std::string& text) {
   } catch (const toml::parse_error&) {  // not TOML: bare text, such as 17 MPa or verlet
   }
   TomlValue value;
-  value.kind = TomlValue::Kind::text;
-  value.text = text;
   value.where = {override_file, 0};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value.number);
+  value.kind = error == std::errc() && end == text.data() + text.size() ? TomlValue::Kind::real
+                                                                        : TomlValue::Kind::text;
+  if (value.is(TomlValue::Kind::text)) value.text = text;
   return value;
 }
 

@@ -37,6 +37,29 @@ TEST(SpectrumCommand, ALoadedStateHasItsFrequencies) {
   EXPECT_NE(missing.error.find("nowhere.h5"), std::string::npos) << missing.error;
 }
 
+/// The pressure [Pa] under which a column of particles buckles: where the lowest omega^2, which falls in proportion to it, is zero.
+double buckling_pressure(const std::string& spacing) {
+  const auto lowest = [&](double pressure) {
+    const auto outcome = run_plumb(
+        "spectrum " + scenes + "euler-column.toml --modes 1 --json - --at end --set body.spacing=" + spacing +
+        " --set \"boundary.1.traction=['0', '-" + std::to_string(pressure) + "*t']\"");
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    return json::parse(outcome.out)["modes"][0]["omega_squared"].get<double>();
+  };
+  const double stable = lowest(8643), unstable = lowest(10563);
+  EXPECT_GT(stable, 0);
+  EXPECT_LT(unstable, 0);
+  return 8643 + (10563 - 8643) * stable / (stable - unstable);
+}
+
+TEST(SpectrumCommand, AColumnOfParticlesBucklesAtEulersLoad) {
+  const double euler = M_PI * M_PI * 17e6 / (1 - 0.3 * 0.3) * 0.1 * 0.1 / 12 / (4 * 2 * 2);
+  const double coarse = buckling_pressure("0.025"), fine = buckling_pressure("0.0125");
+  // shear takes 1.2 p/G = 0.2 % off, which is within what is left at 8 cells across
+  EXPECT_NEAR(fine, euler, 0.01 * euler);
+  EXPECT_LT(std::abs(fine - euler), 0.4 * std::abs(coarse - euler));  // second order
+}
+
 TEST(SpectrumCommand, TheWorstModeIsTheLowestOne) {
   const auto outcome = run_plumb(
       "spectrum " + scenes + "free_plate.toml --set method.gradient=standard --set method.beta=1.2 --json -");
