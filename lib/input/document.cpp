@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "lib/input/spelling.hpp"
@@ -54,6 +55,16 @@ TomlValue converted(const toml::node& node, const std::string& file) {
   return value;
 }
 
+/// Numbers that TOML takes with another digit only: .5, -.5e3 and 5. but not 004, which is a name.
+std::optional<double> without_a_digit(const std::string& text) {
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  if (text.size() < first + 2 || (text[first] != '.' && text.back() != '.')) return {};
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return number;
+}
+
 /// The value after "=": as TOML if it is that, .5 and 5. as the numbers they are, else as bare text.
 TomlValue override_value(const std::string& text) {
   try {
@@ -63,10 +74,13 @@ TomlValue override_value(const std::string& text) {
   }
   TomlValue value;
   value.where = {override_file, 0};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value.number);
-  value.kind = error == std::errc() && end == text.data() + text.size() ? TomlValue::Kind::real
-                                                                        : TomlValue::Kind::text;
-  if (value.is(TomlValue::Kind::text)) value.text = text;
+  if (const auto number = without_a_digit(text)) {
+    value.kind = TomlValue::Kind::real;
+    value.number = *number;
+  } else {
+    value.kind = TomlValue::Kind::text;
+    value.text = text;
+  }
   return value;
 }
 

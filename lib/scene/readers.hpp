@@ -12,6 +12,8 @@ namespace plumb {
 /// `with_lattice`: spacing or particles are read and resolved (scenes); otherwise they are unknown keys
 /// (studies). `dimension` 0: as many as body.size has.
 Body read_body(const Section& section, int dimension, bool with_lattice);
+/// Reads spacing or particles of a body whose shape, size and layout are known, and gives it both.
+void resolve_lattice(const Section& section, Body& body, int dimension);
 /// Who asks for a material: a body, which has mass, or a single point.
 enum class MaterialOf { body, point };
 /// [material] with the parameters that its law declares. `dimension`: 2 may have plane = "stress".

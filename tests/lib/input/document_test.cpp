@@ -45,6 +45,8 @@ TEST(Document, OverridesGiveTheirValues) {
        {Override{"body.spacing=0.2", "body.spacing", "0.20000000000000001"},
         Override{"body.spacing=.25", "body.spacing", "0.25"},
         Override{"body.spacing=5.", "body.spacing", "5"},
+        Override{"body.spacing=-.5e3", "body.spacing", "-500"},
+        Override{"method.paper=004", "method.paper", "\"004\""},
         Override{"body.spacing = 5 mm", "body.spacing", "\"5 mm\""},
         Override{"body.size=[3,4]", "body.size.1", "4"}, Override{"body.size.0=7", "body.size.0", "7"},
         Override{"boundary.1.kind=clamped", "boundary.1.kind", "\"clamped\""},
