@@ -59,7 +59,8 @@ TEST_F(DerivedNumbers, ErrorsInTimeAreThoseOfTheEndsOfTwoRuns) {
         << job;
   }
   EXPECT_EQ(references, 3);
-  EXPECT_EQ(runs.rows.size(), 10u + 5u + 4u);
+  EXPECT_EQ(runs.rows.size(), (2u + 2 * 4) + (2 + 2 * 3) + (2 + 2 * 2))
+      << "two of Verlet, and both rules with each step";
 }
 
 TEST_F(DerivedNumbers, OrdersInTimeAreThoseOfTheFreePlate) {
