@@ -35,18 +35,28 @@ void make_folder(const fs::path& folder) {
                      "Choose another one with --out.");
 }
 
+/// Sections that are asked for by name are shown whole.
 std::vector<SectionPlan> chosen_plans(const ReportOptions& options) {
-  auto plans = section_plans(options.long_run);
+  auto plans = section_plans(options.only.empty() ? options.extent : std::max(options.extent, Extent::full));
   std::vector<std::string> ids;
   ids.reserve(plans.size());
   for (const auto& plan : plans) ids.push_back(plan.id);
   for (const auto& id : options.only)
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) throw unknown_name("section", id, ids);
-  if (!options.only.empty())
-    std::erase_if(plans, [&](const SectionPlan& plan) {
-      return std::find(options.only.begin(), options.only.end(), plan.id) == options.only.end();
-    });
+  std::erase_if(plans, [&](const SectionPlan& plan) {
+    return options.only.empty()
+               ? plan.least > options.extent
+               : std::find(options.only.begin(), options.only.end(), plan.id) == options.only.end();
+  });
   return plans;
+}
+
+/// Titles of the sections that a larger report shows.
+std::vector<std::string> titles_left_out(Extent extent) {
+  std::vector<std::string> titles;
+  for (const auto& plan : section_plans(extent))
+    if (plan.least > extent) titles.push_back(plan.title);
+  return titles;
 }
 
 /// What the sections ask for, in their order, as far as it may run beside others or not.
@@ -207,8 +217,8 @@ std::string chapter_of(int place) {
   return chapter >= 0 && chapter < static_cast<int>(names.size()) ? names[chapter] : "Further";
 }
 
-std::vector<SectionPlan> section_plans(bool long_run) {
-  auto plans = sections::all(long_run);
+std::vector<SectionPlan> section_plans(Extent extent) {
+  auto plans = sections::all(extent);
   std::stable_sort(plans.begin(), plans.end(),
                    [](const auto& a, const auto& b) { return a.place < b.place; });
   return plans;
@@ -231,6 +241,10 @@ ReportSummary make_report(const ReportOptions& options) {
     page.sections.push_back(written(plan, results, summary));
     write_data(page.sections.back(), options.out);
   }
+  if (options.only.empty() && options.extent == Extent::core)
+    page.facts.emplace_back("left to plumb report --full",
+                            fmt::format("{}; and finer levels of what is here",
+                                        fmt::join(titles_left_out(options.extent), "; ")));
   page.facts.emplace_back("machine", run::machine());
   page.facts.emplace_back(
       "cost of the studies",

@@ -15,7 +15,7 @@ struct ReportOptions {
   std::filesystem::path program;              ///< the plumb executable that runs the studies
   std::string code = {};             ///< hash of the code that computes; empty: the bytes of the program
   std::filesystem::path root = ".";  ///< the folder with verification/scenes in it
-  bool long_run = false;             ///< the paper-size studies too
+  Extent extent = Extent::core;      ///< how much is computed
   int threads = 0;                   ///< cores to work on, a study on each; 0: all there are
   std::vector<std::string> only;     ///< ids of sections; empty: all
   std::vector<std::pair<std::string, std::string>> facts;         ///< on the first screen, before the cost
@@ -38,8 +38,8 @@ struct ReportSummary {
   double cpu_s = 0;  ///< of the studies, fresh and reused
 };
 
-/// All sections, in the order of the page.
-std::vector<SectionPlan> section_plans(bool long_run);
+/// Lists all sections in the order of the page, with the jobs of that extent; those that are left to larger reports, too.
+std::vector<SectionPlan> section_plans(Extent extent);
 
 /// Runs the studies, or takes their stored results, and writes the page, the pictures and the numbers behind
 /// them. A study that fails costs its section the answer, not the report; it is listed under `problems`.

@@ -108,14 +108,22 @@ class Results;
 /// them).
 std::string chapter_of(int place);
 
-/// How a section comes about. A file reports/sections/some_name.cpp defines `SectionPlan planned(bool
-/// long_run)` in namespace plumb::reports::sections::some_name; the list of them is generated.
+/// How much a report computes.
+enum class Extent {
+  core,     ///< each chapter's core, in minutes: what `plumb report` makes
+  full,     ///< all sections, in a quarter of an hour
+  long_run  ///< studies in the size of the papers, too
+};
+
+/// How a section comes about. A file reports/sections/some_name.cpp defines `SectionPlan planned(Extent)` in namespace
+/// plumb::reports::sections::some_name; the list of them is generated.
 struct SectionPlan {
   int place = 0;   ///< sections are ordered by it; its hundreds are the chapter (chapter_of)
   std::string id;  ///< letters, digits and hyphens; unique in the report
   std::string title;
   std::vector<Job> jobs;
   std::function<Section(const Results&)> write;  ///< may throw MissingResult
+  Extent least = Extent::core;                   ///< smaller reports name it only
 };
 
 }  // namespace plumb::reports

@@ -8,6 +8,7 @@
 
 #include "lib/input/section.hpp"
 #include "reports/comparison/steps.hpp"
+#include "reports/named.hpp"
 
 namespace plumb::reports::comparison {
 namespace {
@@ -98,7 +99,7 @@ StepLadder read_ladder(const Keys& section, const std::vector<Scheme>& schemes) 
   return ladder;
 }
 
-Problem read_problem(const Keys& section, const std::vector<Scheme>& schemes, bool long_run) {
+Problem read_problem(const Keys& section, const std::vector<Scheme>& schemes, Extent extent) {
   Problem p;
   p.id = section.text("id");
   p.title = section.text("title");
@@ -111,13 +112,14 @@ Problem read_problem(const Keys& section, const std::vector<Scheme>& schemes, bo
   p.spacings = section.numbers("spacings", 0, quantity::length, Sign::positive);
   if (section.has("long_spacings"))
     for (const double d : section.numbers("long_spacings", 0, quantity::length, Sign::positive))
-      if (long_run) p.spacings.push_back(d);
+      if (extent == Extent::long_run) p.spacings.push_back(d);
   if (!std::is_sorted(p.spacings.rbegin(), p.spacings.rend()))
     section.fail("spacings", "they do not go from coarse to fine", "");
   p.quantity = read_quantity(section, p.study);
   p.equal_error = section.number("equal_error", quantity::number, Sign::positive);
   p.still = section.flag_or("still", false);
   p.free = section.flag_or("free", false);
+  p.core = section.flag_or("core", false);
   p.beside = section.text_or("beside", "");
   p.cells = read_cells(section, schemes);
   for (const Keys& given : section.sections("public")) {
@@ -154,13 +156,13 @@ Cell cell_of(const std::vector<std::pair<std::string, Cell>>& cells, const std::
   return {};
 }
 
-Table read_table(const std::string& text, const std::string& file, bool long_run) {
+Table read_table(const std::string& text, const std::string& file, Extent extent) {
   const TomlValue document = parse_document(text, file);
   const Keys root(document, "");
   Table table;
   const auto schemes = root.sections("scheme"), problems = root.sections("problem");
   for (const Keys& one : schemes) table.schemes.push_back(read_scheme(one));
-  for (const Keys& one : problems) table.problems.push_back(read_problem(one, table.schemes, long_run));
+  for (const Keys& one : problems) table.problems.push_back(read_problem(one, table.schemes, extent));
   if (const auto ladder = root.optional_section("ladder")) table.ladder = read_ladder(*ladder, table.schemes);
   root.reject_unknown();
   require_different(schemes, table.schemes);
@@ -170,7 +172,11 @@ Table read_table(const std::string& text, const std::string& file, bool long_run
     const auto is_it = [&](const Problem& one) { return one.id == beside; };
     if (!beside.empty() && std::none_of(table.problems.begin(), table.problems.end(), is_it))
       problems[k].fail("beside", fmt::format("there is no problem \"{}\"", beside), "");
+    if (!beside.empty() && table.problems[k].core && !by_id(table.problems, beside).core)
+      problems[k].fail("core", fmt::format("problem \"{}\", which it is beside, is not in the core", beside),
+                       "", "add core = true there, or leave it out here");
   }
+  if (extent == Extent::core) std::erase_if(table.problems, [](const Problem& one) { return !one.core; });
   return table;
 }
 

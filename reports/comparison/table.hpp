@@ -62,6 +62,7 @@ struct Problem {
   double equal_error = 0;  ///< run times are compared where the error is this
   bool still = false;      ///< an equilibrium: there is no energy at the start to compare with
   bool free = false;       ///< nothing acts from outside: momenta are compared
+  bool core = false;       ///< the smallest report shows it, too
   std::string beside;      ///< another problem, of which this is a harder form
   std::vector<std::pair<std::string, Cell>> cells;
   std::vector<PublicNumber> others = {};  ///< shown as such: they are runs of other programs
@@ -89,9 +90,9 @@ struct Table {
   std::optional<StepLadder> ladder;
 };
 
-/// Reads the table; `long_run` adds the spacings that are for long runs. Throws SceneError with file and line
+/// Reads the table: the core has the problems that say so, a long run the spacings that are for it, too. Throws SceneError with file and line
 /// for what is wrong, unknown schemes included.
-Table read_table(const std::string& text, const std::string& file, bool long_run);
+Table read_table(const std::string& text, const std::string& file, Extent extent);
 
 /// The calls of one cell: one for a study, one for each spacing of a scene, and only the first where the
 /// scheme refuses.

@@ -47,7 +47,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The account of the sentences of sections 2.2 and 4.1 of paper 000.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   return {
       150, "account", "What the paper says about one dimension", {{"account", {"oned", "account"}}}, write};
 }

@@ -38,7 +38,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Bad input and its messages.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const std::string table = "verification/bad_inputs.toml";
   return {1010, "bad-input", "Bad input", {{"refusals", {"refusals", table}, {table}}}, write};
 }

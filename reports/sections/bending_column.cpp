@@ -143,7 +143,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Section 5.3 of paper 000: the bending column and its energy.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   SectionPlan plan{610, "column", "Bending column: energy", {}, write};
   for (const auto& v : variants) plan.jobs.push_back(job_of(v));
   return plan;

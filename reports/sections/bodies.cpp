@@ -175,7 +175,8 @@ Section write(const Results& results, const std::vector<DrawnBody>& all) {
 }  // namespace
 
 /// The deformed bodies of sections 5.2 to 5.5 of paper 000.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const auto all = all_bodies(long_run);
   SectionPlan plan{510, "bodies", "Deformed bodies", {}, [all](const Results& r) { return write(r, all); }};
   for (const auto& body : all) plan.jobs.push_back(job_of(body));

@@ -195,7 +195,8 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// The cantilever of paper 004 at the paper's numbers of particles and on lattices, with what its field and its energy are off by.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{509, "cantilever-004", "Cantilever of paper 004", {}, [long_run](const Results& results) {
                      return write(results, long_run);
                    }};
@@ -218,6 +219,7 @@ SectionPlan planned(bool long_run) {
       if (of.cloud == "14250") set.emplace_back("implicit.solver=iterative");
       add(cloud_id(way, of), irregular, "body.file=" + cloud, std::move(set), {irregular, cloud});
     }
+  plan.least = Extent::full;
   return plan;
 }
 

@@ -113,7 +113,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The ledger of the papers' claims.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const std::string folder = "verification/claims/";
   Job job{"claims", {"claims"}, {}};
   for (const auto& part : parts)

@@ -114,7 +114,8 @@ Section write(const Results& results, const std::vector<int>& cells, int finest)
 }  // namespace
 
 /// Error against CPU time for the bending column of section 5.3 of paper 000.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const std::vector<int> cells = long_run ? std::vector<int>{4, 6, 8, 12, 16} : std::vector<int>{4, 6, 8};
   const int finest = long_run ? 24 : 12;
   SectionPlan plan{

@@ -191,7 +191,8 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Compatible bonds: what the papers' schemes lack on irregular clouds.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{250, "compatible", "Compatible bonds: irregular particles", {}, write};
   for (auto v : plates()) {
     if (long_run) v.set.emplace_back("study.spacings=[0.2,0.1,0.05,0.025,0.0125]");

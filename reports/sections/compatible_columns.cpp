@@ -159,7 +159,8 @@ Section write(const Results& results, const std::vector<Case>& all) {
 }  // namespace
 
 /// The paper's columns with compatible bonds.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const auto all = columns(long_run);
   SectionPlan plan{
       520, "compatible-columns", "The paper's columns by compatible bonds", {}, [all](const Results& r) {

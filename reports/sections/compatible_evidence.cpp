@@ -198,7 +198,8 @@ Section write(const Results& results, const std::vector<Problem>& all) {
 }  // namespace
 
 /// Compatible bonds beside the other schemes on every manufactured solution.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const auto all = problems(long_run);
   SectionPlan plan{340,
                    "compatible-evidence",
@@ -206,6 +207,7 @@ SectionPlan planned(bool long_run) {
                    {},
                    [all](const Results& results) { return write(results, all); }};
   for (const auto& row : rows(all)) plan.jobs.push_back(evidence_job(row.problem, row.cloud, row.scheme));
+  plan.least = Extent::full;
   return plan;
 }
 

@@ -136,7 +136,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The conservation budget: momentum and energy by cause.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   SectionPlan plan{620, "budget", "Conservation budget", {}, write};
   for (const auto& v : variants) plan.jobs.push_back(job_of(v));
   return plan;

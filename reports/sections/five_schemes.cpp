@@ -16,8 +16,8 @@ using comparison::Problem;  // not the problem of another page
 
 const std::string source = "verification/comparison/five_schemes.toml";
 
-Table table_of(bool long_run) {
-  return read_table(std::string(assets::five_schemes_toml), source, long_run);
+Table table_of(Extent extent) {
+  return read_table(std::string(assets::five_schemes_toml), source, extent);
 }
 
 /// Error over run time, a line per scheme that has an error; nothing, if none has.
@@ -76,8 +76,8 @@ std::vector<Check> checks_of(const Table& table, const Outcomes& outcomes) {
   return checks;
 }
 
-Section write(const Results& results, bool long_run) {
-  const Table table = table_of(long_run);
+Section write(const Results& results, Extent extent) {
+  const Table table = table_of(extent);
   const Outcomes outcomes = outcomes_of(results, table);
   Section s;
   s.question = "Which of the five schemes should I take?";
@@ -114,9 +114,9 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// The schemes of five papers side by side, printed and mended, with finite elements as the reference.
-SectionPlan planned(bool long_run) {
-  return {410, "five-schemes", "Five schemes side by side", jobs_of(table_of(long_run)),
-          [long_run](const Results& results) { return write(results, long_run); }};
+SectionPlan planned(Extent extent) {
+  return {410, "five-schemes", "Five schemes side by side", jobs_of(table_of(extent)),
+          [extent](const Results& results) { return write(results, extent); }};
 }
 
 }  // namespace plumb::reports::sections::five_schemes

@@ -220,7 +220,8 @@ Section write(const Results& results, const std::vector<FlagRun>& all) {
 }  // namespace
 
 /// CSM3 of Turek and Hron: a clamped bar that is let go under its weight.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const auto all = runs_of(long_run);
   SectionPlan plan{507, "flag", "Swinging flag", {}, [all](const Results& r) { return write(r, all); }};
   for (const FlagRun& run : all) {
@@ -228,6 +229,7 @@ SectionPlan planned(bool long_run) {
     for (const auto& entry : run.set) job.arguments.insert(job.arguments.end(), {"--set", entry});
     plan.jobs.push_back(std::move(job));
   }
+  plan.least = Extent::full;
   return plan;
 }
 

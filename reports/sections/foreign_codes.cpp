@@ -114,7 +114,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Programs of other people under campaigns.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   return {930,
           "foreign-codes",
           "Other people's codes",

@@ -128,7 +128,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Figures 4 and 5 of paper 000: estimates of the gradient of polynomials.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const auto of = [](const char* field, const char* estimators, const char* pairs) {
     return std::vector<std::string>{"oned",        "gradient",         "--length", "5",       "--n",
                                     "40",          "--radius-over-dx", "4",        "--field", field,

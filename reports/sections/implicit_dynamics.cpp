@@ -215,7 +215,8 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// Implicit midpoint and energy-momentum beside Verlet: orders, what is kept, work and precision.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{
       505, "implicit-dynamics", "Implicit steps in time", {}, [long_run](const Results& results) {
         return write(results, long_run);

@@ -114,7 +114,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Figure 2 of paper 000: kernels and gradients in the body and at its end.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const auto at = [](const char* x) {
     return std::vector<std::string>{"oned", "kernels", "--at", x,          "--length",
                                     "2",    "--n",     "200",  "--radius", "1"};

@@ -131,7 +131,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Refinement of every manufactured solution that is no patch, and the order in time.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   SectionPlan plan{320, "mms", "Manufactured solutions: orders", {}, write};
   for (const auto& entry : others()) plan.jobs.push_back(refinement_job(entry));
   for (const auto& entry : broken()) plan.jobs.push_back(refinement_job(entry));

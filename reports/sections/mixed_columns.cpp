@@ -133,7 +133,8 @@ Section write(const Results& results, const std::vector<int>& cells) {
 }  // namespace
 
 /// Error against CPU time on the columns of paper 003 for its scheme with the better choices, and for total Lagrangian ones beside it.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const std::vector<int> cells = long_run ? std::vector<int>{4, 6, 8, 12} : std::vector<int>{4, 6};
   SectionPlan plan{
       425, "mixed-columns", "Columns of paper 003: error against cost", {}, [cells](const Results& r) {

@@ -94,7 +94,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The near-incompressible family: error at a fixed spacing against Poisson's ratio.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   return {330, "incompressible", "Nearly incompressible materials", {job()}, write};
 }
 

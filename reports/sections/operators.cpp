@@ -210,7 +210,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Errors of the operators on exact fields, and the integration constraint.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   SectionPlan plan{210, "operators", "Operators on exact fields", {}, write};
   for (const auto& entry : cases())
     plan.jobs.push_back(refinement_job({entry.id, entry.cloud, entry.file, entry.set}, "operators"));

@@ -134,7 +134,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Speeds of other codes beside ours.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   return {920,
           "peers",
           "Speed of other codes",

@@ -121,7 +121,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Faults planted into the code, and the tests that caught them.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   return {820,
           "faults",
           "Planted faults",

@@ -200,13 +200,15 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// The swinging plate at finite strain: layouts, treatments of the edge, both pairs, two amplitudes.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{315,
                    "edges",
                    "Swinging plate at finite strain: layouts and edges",
                    {},
                    [long_run](const Results& results) { return write(results, long_run); }};
   for (const auto& plate : edges(long_run)) plan.jobs.push_back(refinement_job(plate.study));
+  plan.least = Extent::full;
   return plan;
 }
 

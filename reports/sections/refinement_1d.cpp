@@ -136,7 +136,8 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Figure 6 of paper 000, in both readings.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const auto with = [long_run](const char* option, const char* value) {
     return std::vector<std::string>{
         "oned",        "study",

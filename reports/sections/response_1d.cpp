@@ -107,7 +107,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Interior response of the estimates to exp(ikX).
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const auto at = [](const char* ratio, const char* estimators) {
     return std::vector<std::string>{"oned",        "response", "--radius-over-dx", ratio,
                                     "--estimator", estimators, "--pair",           "W1",

@@ -118,7 +118,8 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// Every scheme of the house on one manufactured solution.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{405, "schemes", "The schemes on one problem", {}, [long_run](const Results& results) {
                      return write(results, long_run);
                    }};

@@ -53,7 +53,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Every scheme that steps in time on a bar.
-SectionPlan planned(bool /*long_run*/) {
+SectionPlan planned(Extent) {
   SectionPlan plan{406, "schemes-1d", "The schemes on a bar", {}, write};
   for (const auto& entry : entries()) plan.jobs.push_back(refinement_job(entry));
   return plan;

@@ -178,7 +178,8 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// Factors, conjugate gradients and explicit relaxation on one cantilever.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{
       508, "solver-scaling", "What an equilibrium costs", {}, [long_run](const Results& results) {
         return write(results, long_run);

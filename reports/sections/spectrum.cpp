@@ -173,7 +173,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Spectrum of the linearised operator.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const auto job = [](const std::string& id, const std::string& scene, std::vector<std::string> more) {
     std::vector<std::string> arguments{"spectrum", scene};
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -137,7 +137,8 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Speed of whole runs.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   std::vector<std::string> whole_runs{"bench",     "--all", "--cores",   "1,2",
                                       "--repeats", "2",     "--seconds", "0.02"};
   if (long_run) whole_runs = {"bench", "--full", "--repeats", "2", "--seconds", "0.2"};
@@ -146,7 +147,8 @@ SectionPlan planned(bool long_run) {
           "Speed",
           {{"bench", std::move(whole_runs), {}, true},
            {"bench-kernels", {"bench", "--kernels", "--n", "27000", "--seconds", "0.05"}, {}, true}},
-          write};
+          write,
+          Extent::full};
 }
 
 }  // namespace plumb::reports::sections::speed

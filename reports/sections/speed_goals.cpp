@@ -121,7 +121,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// The speeds that the project set itself, as measured by this report.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   const auto bench = [](const std::string& id, const std::string& cases, const std::string& n,
                         const std::string& cores) {
     return Job{id,
@@ -135,7 +135,8 @@ SectionPlan planned(bool) {
           {bench("goals-block", "adjoint-verlet-3d,paper-3d,adjoint-verlet-3d-jittered", "64000", "1"),
            bench("goals-plate", "paper-2d", "40000", "1"),
            bench("goals-million", "adjoint-verlet-3d", "1000000", "1,2")},
-          write};
+          write,
+          Extent::full};
 }
 
 }  // namespace plumb::reports::sections::speed_goals

@@ -182,7 +182,8 @@ Section write(const Results& results, const std::vector<Job>& jobs) {
 }  // namespace
 
 /// Maps of stability.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   const std::string folder = "verification/stability/", scenes = "verification/scenes/";
   const auto job = [&](const std::string& study, const std::string& scene) {
     return Job{"edge-" + study,

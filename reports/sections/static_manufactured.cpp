@@ -180,10 +180,11 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Static manufactured solutions at finite strain: lattices, irregular and graded clouds, three dimensions, curved bodies.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   SectionPlan plan{511, "static-manufactured", "Static manufactured solutions", {}, write};
   for (const Equilibrium& of : equilibria()) plan.jobs.push_back(refinement_job(of.study, "static"));
   for (const Frozen& of : catalogue()) plan.jobs.push_back(refinement_job(study_of(of), "static"));
+  plan.least = Extent::full;
   return plan;
 }
 

@@ -161,7 +161,7 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Section 5.1 of paper 000: convergence on the swinging plate.
-SectionPlan planned(bool) {
+SectionPlan planned(Extent) {
   SectionPlan plan{310, "plate", "Swinging plate: convergence", {}, write};
   for (const auto& v : paper_variants()) plan.jobs.push_back(job_of(v));
   for (const auto& v : other_variants()) plan.jobs.push_back(job_of(v));

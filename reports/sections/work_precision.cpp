@@ -156,7 +156,8 @@ Section write(const Results& results) {
 }  // namespace
 
 /// Error against run time and against work.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{410, "work", "Error against run time", {}, write};
   for (const auto& comparison : comparisons()) plan.jobs.push_back(job_of(comparison, long_run));
   return plan;

@@ -189,7 +189,8 @@ Section write(const Results& results, bool long_run) {
 }  // namespace
 
 /// What an error costs by compatible bonds, in units of what it costs by the paper's scheme.
-SectionPlan planned(bool long_run) {
+SectionPlan planned(Extent extent) {
+  const bool long_run = extent == Extent::long_run;
   SectionPlan plan{
       415, "work-ratio", "Error against run time: compatible bonds", {}, [long_run](const Results& r) {
         return write(r, long_run);
@@ -197,6 +198,7 @@ SectionPlan planned(bool long_run) {
   for (const auto& p : problems())
     for (const auto& cloud : clouds(long_run))
       for (const auto& scheme : schemes()) plan.jobs.push_back(job_of(p, cloud, scheme, long_run));
+  plan.least = Extent::full;
   return plan;
 }
 

@@ -11,7 +11,7 @@
 
 namespace plumb::reports::sections {
 namespace five_schemes {
-SectionPlan planned(bool long_run);
+SectionPlan planned(Extent extent);
 }
 }  // namespace plumb::reports::sections
 
@@ -94,7 +94,7 @@ cannot = "it has no step"
 schemes = ["x"]
 set = ["mixed.upwind=none"]
 )",
-                             "table.toml", false);
+                             "table.toml", Extent::full);
   const StepLadder& ladder = *t.ladder;
   const Scheme x = by_id(t.schemes, "x"), element = by_id(t.schemes, "element");
   ASSERT_EQ(jobs_of(t).size(), 6u);
@@ -143,15 +143,16 @@ TEST(ComparisonAdvice, OneLookForAScheme) {
 
 /// The table of the tree: every problem's file is there, and no cell of the section's tables is empty.
 TEST(ComparisonAdvice, TheSectionLeavesNoCellEmpty) {
-  const Table longer = read_table(std::string(assets::five_schemes_toml), "five_schemes.toml", true);
+  const Table longer =
+      read_table(std::string(assets::five_schemes_toml), "five_schemes.toml", Extent::long_run);
   for (const auto& problem : longer.problems)
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(PLUMBLINE_SOURCE_DIR) / problem.file))
         << problem.file;
-  const Table now = read_table(std::string(assets::five_schemes_toml), "five_schemes.toml", false);
+  const Table now = read_table(std::string(assets::five_schemes_toml), "five_schemes.toml", Extent::full);
   EXPECT_EQ(now.schemes.size(), 11u);  // five papers printed and mended, and finite elements
   Given given;
   invent(now, given);
-  const auto section = sections::five_schemes::planned(false).write(given.results);
+  const auto section = sections::five_schemes::planned(Extent::full).write(given.results);
   for (const auto& shown : section.tables) {
     EXPECT_FALSE(shown.rows.empty()) << shown.id;
     for (const auto& row : shown.rows) {
@@ -181,7 +182,7 @@ TEST(ComparisonAdvice, TheSectionLeavesNoCellEmpty) {
 /// What runs although the table says that it is refused or breaks, and what breaks although it does not say
 /// so, turns the check of its problem red.
 TEST(ComparisonAdvice, WhatIsNotDeclaredFails) {
-  const Table now = read_table(std::string(assets::five_schemes_toml), "five_schemes.toml", false);
+  const Table now = read_table(std::string(assets::five_schemes_toml), "five_schemes.toml", Extent::full);
   Given given;
   invent(now, given);
   given.add("five-plate-004-printed", study({{0.4, 1}, {0.1, 2}}));
@@ -195,7 +196,7 @@ TEST(ComparisonAdvice, WhatIsNotDeclaredFails) {
   broken["status"] = "unstable";
   broken["failure"] = {{"cause", "inverted"}, {"time", 0.125}};
   given.add("five-bending-003-mended-3", broken);
-  const auto section = sections::five_schemes::planned(false).write(given.results);
+  const auto section = sections::five_schemes::planned(Extent::full).write(given.results);
   std::vector<std::string> red;
   for (const auto& check : section.checks)
     if (check.kind == CheckKind::book_keeping && check.verdict == "fail") red.push_back(check.measured);

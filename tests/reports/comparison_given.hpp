@@ -80,8 +80,8 @@ set = ["implicit.dynamics=midpoint"]
 over_spacing = { "implicit.time_step" = 0.01 }
 )";
 
-inline Table table(bool long_run = false) {
-  return read_table(schemes + plate + bar, "table.toml", long_run);
+inline Table table(Extent extent = Extent::full) {
+  return read_table(schemes + plate + bar, "table.toml", extent);
 }
 
 /// Results in a folder, as the report's jobs leave them.

@@ -33,7 +33,17 @@ TEST(Comparison, CallsOfAStudyAndOfAScene) {
   // what is refused is asked once
   EXPECT_EQ(jobs_of(by_id(t.problems, "bar"), by_id(t.schemes, "x-printed")).size(), 1u);
   EXPECT_EQ(jobs_of(t).size(), 3u + 1 + 2 + 2);
-  EXPECT_EQ(by_id(table(true).problems, "plate").spacings, (std::vector<double>{0.2, 0.1, 0.05}));
+  EXPECT_EQ(by_id(table(Extent::long_run).problems, "plate").spacings, (std::vector<double>{0.2, 0.1, 0.05}));
+}
+
+/// The smallest report has the problems that say so.
+TEST(Comparison, TheCoreHasWhatSaysSo) {
+  std::string text = schemes + plate + bar;
+  text.replace(text.find("id = \"plate\""), 12, "id = \"plate\"\ncore = true");
+  const Table core = read_table(text, "table.toml", Extent::core);
+  ASSERT_EQ(core.problems.size(), 1u);
+  EXPECT_EQ(core.problems[0].id, "plate");
+  EXPECT_EQ(read_table(text, "table.toml", Extent::full).problems.size(), 2u);
 }
 
 /// What is wrong in a table is refused with its line.
@@ -44,7 +54,7 @@ TEST(Comparison, RefusesWhatIsWrong) {
     ASSERT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
     try {
-      read_table(text, "table.toml", false);
+      read_table(text, "table.toml", Extent::full);
       ADD_FAILURE() << "took " << to;
     } catch (const plumb::InputError& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -61,6 +71,8 @@ TEST(Comparison, RefusesWhatIsWrong) {
   refused("scene = \"bar.toml\"", "scene = \"bar.toml\"\nstudy = \"bar.toml\"", "a study or a scene");
   refused(R"(beside = "plate")", R"(beside = "dish")", "there is no problem \"dish\"");
   refused(R"(id = "bar")", R"(id = "plate")", "\"plate\" is there twice");
+  refused(R"(id = "bar")", "id = \"bar\"\ncore = true",
+          "problem \"plate\", which it is beside, is not in the core");
   refused("free = true", "fre = true", "fre");
 }
 
@@ -69,11 +81,11 @@ TEST(Comparison, NumbersOfOthers) {
   const std::string others = "[[problem.public]]\ncode = \"other\"\nvalue = 1.5\nnote = \"published\"\n";
   std::string text = schemes + bar + others;
   const std::string at = R"(at = ["/probes/tip/position/0", "/probes/tip/position/1"])";
-  EXPECT_THROW(read_table(schemes + plate + bar + others, "table.toml", false), plumb::InputError);
+  EXPECT_THROW(read_table(schemes + plate + bar + others, "table.toml", Extent::full), plumb::InputError);
   text.replace(text.find(at), at.size(), R"(at = ["/probes/tip/position/0"])");
   text.replace(text.find("[1, 2]"), 6, "[1]");
   text.replace(text.find("beside = \"plate\""), 16, "");
-  const DataTable shown = public_numbers(read_table(text, "table.toml", false));
+  const DataTable shown = public_numbers(read_table(text, "table.toml", Extent::full));
   ASSERT_EQ(shown.rows.size(), 1u);
   EXPECT_EQ(std::get<std::string>(cell_of(shown, shown.rows[0], "code")), "other");
   EXPECT_DOUBLE_EQ(std::get<double>(cell_of(shown, shown.rows[0], "value")), 1.5);

@@ -59,7 +59,7 @@ inline const std::vector<Claim> claims{
 class InventedReport : public ::testing::Test {
  protected:
   void SetUp() override {
-    for (auto& plan : reports::section_plans(false)) {
+    for (auto& plan : reports::section_plans(reports::Extent::full)) {
       // text only, or maps of categories; five-schemes has numbers of its own: comparison_test.cpp
       for (const char* other : {"account", "claims", "faults", "bad-input", "stability-maps", "five-schemes"})
         if (plan.id == other) plan.jobs.clear();

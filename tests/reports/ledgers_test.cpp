@@ -25,7 +25,7 @@ class Ledgers : public ::testing::Test {
     results.add(job, result);
   }
   Section section(const std::string& id) const {
-    for (const auto& plan : section_plans(false))
+    for (const auto& plan : section_plans(Extent::full))
       if (plan.id == id) return plan.write(results);
     throw std::runtime_error("no section " + id);
   }
@@ -185,7 +185,7 @@ TEST_F(Ledgers, RefusalsAreCounted) {
 class Maps : public Ledgers {
  protected:
   void SetUp() override {
-    for (const auto& plan : section_plans(false))
+    for (const auto& plan : section_plans(Extent::full))
       if (plan.id == "stability-maps")
         for (const auto& job : plan.jobs) add(job.id, study(job.id));
     add("edge-theory",
@@ -265,7 +265,7 @@ TEST_F(Maps, ColoursAreTheOutcomesOverTheParameter) {
 /// Errors of 0.04 and 0.0025 for 1 s and 16 s, times a number of the scheme: 0.01 lies halfway in logarithms.
 /// The coarsest level of the column is better than 0.01, and the paper's scheme breaks on its jittered plate.
 TEST_F(Ledgers, CostsOfAnErrorAreBetweenTheLevels) {
-  for (const auto& plan : section_plans(false))
+  for (const auto& plan : section_plans(Extent::full))
     if (plan.id == "work-ratio")
       for (const auto& job : plan.jobs) {
         const double slow = job.id.ends_with("paper") ? 1 : job.id.ends_with("adjoint") ? 0.5 : 3;

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
+#include <set>
 
 #include "places.hpp"
 #include "tests/reports/invented_report.hpp"
@@ -144,13 +146,34 @@ TEST_F(Sections, SayWhatTheySaid) {
 /// What a job is asked, too: commands are shown beside the results.
 TEST_F(Sections, AskWhatTheyAsked) {
   said.clear();
-  for (const auto& plan : section_plans(false)) {
+  for (const auto& plan : section_plans(Extent::full)) {
     say("{} {} {}", plan.place, plan.id, plan.title);
     for (const auto& job : plan.jobs)
       say("  {}{}: {} < {}", job.id, job.alone ? " (alone)" : "", fmt::join(job.arguments, " "),
           fmt::join(job.inputs, " "));
   }
   compare("jobs", 0);
+}
+
+/// The core asks nothing that a full report does not ask, and shows something of every chapter.
+TEST(Extents, TheCoreIsAPartOfTheFullReportAndHasAllChapters) {
+  std::map<std::string, std::vector<std::string>> full;
+  std::set<std::string> chapters, shown;
+  for (const auto& plan : section_plans(Extent::full))
+    for (const auto& job : plan.jobs) full[job.id] = job.arguments;
+  std::size_t in_core = 0;
+  for (const auto& plan : section_plans(Extent::core)) {
+    chapters.insert(chapter_of(plan.place));
+    if (plan.least > Extent::core) continue;
+    shown.insert(chapter_of(plan.place));
+    for (const auto& job : plan.jobs) {
+      ASSERT_TRUE(full.contains(job.id)) << job.id;
+      EXPECT_EQ(full.at(job.id), job.arguments) << job.id;
+      ++in_core;
+    }
+  }
+  EXPECT_EQ(shown, chapters);
+  EXPECT_LT(in_core, full.size() / 2) << "a core is small";
 }
 
 }  // namespace

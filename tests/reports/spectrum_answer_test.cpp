@@ -31,7 +31,7 @@ class SpectrumAnswer : public plumb::test::InventedReport {
     std::ofstream(file) << result.dump();
   }
   std::string answer() const {
-    for (const auto& plan : section_plans(false))
+    for (const auto& plan : section_plans(Extent::full))
       if (plan.id == "spectrum") return plan.write(invention.results).answer;
     return "no section";
   }

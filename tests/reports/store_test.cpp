@@ -45,7 +45,7 @@ TEST_F(StoreOfResults, UnchangedStudyIsReused) {
   const auto second = get();
   EXPECT_TRUE(second.reused);
   EXPECT_EQ(calls(), 1u);
-  EXPECT_EQ(second.cpu_s, first.cpu_s);  // the cost is that of the run that was made
+  EXPECT_EQ(second.cpu_s, first.cpu_s);    // the cost is that of the run that was made
   EXPECT_GT(first.peak_rss.value(), 1e5);  // a shell has more than a tenth of a megabyte
   EXPECT_EQ(second.peak_rss, first.peak_rss);
   EXPECT_EQ(nlohmann::json::parse(run::content_of(second.folder / "result.json"))["value"], 7);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -93,7 +94,12 @@ void add_report(CLI::App& program, Session& session) {
                    "plumb report --only kernels,gradients --out out/report"},
                   {}, [&session, options] { return report(session, *options); });
   command.add_option("--out", options->out, "folder of the report")->type_name("DIR")->capture_default_str();
-  command.add_flag("--long", options->long_run, "the studies in the size of the papers too (hours)");
+  command.add_flag_callback(
+      "--full", [options] { options->extent = std::max(options->extent, reports::Extent::full); },
+      "all sections and levels (a quarter of an hour), not each chapter's core; so are sections named by --only");
+  command.add_flag_callback(
+      "--long", [options] { options->extent = reports::Extent::long_run; },
+      "the studies in the size of the papers too (hours)");
   command.add_option("--only", options->only, "sections to make, by name")
       ->type_name("SECTION")
       ->delimiter(',');
