@@ -131,7 +131,7 @@ void set_exact_state(const Solid<d>& solid, const Manufactured<d>& solution, Sta
 
 template <int d>
 Actions<d> actions_of(const Cloud<d>& cloud, double modulus, const Manufactured<d>& solution,
-                      const DriveOptions& options) {
+                      const DriveOptions& options, const CurvedSurface<d>& curved) {
   HeldParts<d> parts(solution);
   SurfaceLoad<d> load;
   load.name = "manufactured traction";
@@ -140,8 +140,12 @@ Actions<d> actions_of(const Cloud<d>& cloud, double modulus, const Manufactured<
   };
   if (options.held_band)
     add_band(cloud, solution, *options.held_band, parts);
-  else if (solution.domain.shape == Domain<d>::Shape::box)
+  else if (options.faces && solution.domain.shape == Domain<d>::Shape::box)
     for (int face = 0; face < 2 * d; ++face) add_face(cloud, solution, face, options, parts, load);
+  for (const Index i : curved.displaced)
+    for (int k = 0; k < d; ++k)
+      if (!parts.holds(i, k)) parts.add(i, k, cloud.X[i]);
+  load.places.insert(load.places.end(), curved.pulled.begin(), curved.pulled.end());
   drop_zero_tractions(solution, parts, modulus, load);
   Actions<d> actions;
   if (options.body_force)
@@ -177,9 +181,10 @@ Actions<d> seen_at(const std::shared_ptr<const double>& start, Actions<d> action
 
 template <int d>
 ChosenIntegrator<d> drive(Solid<d>& solid, State<d>& state, ChosenIntegrator<d> integrator,
-                          const Manufactured<d>& solution, const DriveOptions& options) {
+                          const Manufactured<d>& solution, const DriveOptions& options,
+                          const CurvedSurface<d>& curved) {
   const double modulus = solution.density * std::pow(solid.elastic.wave_speed(), 2);
-  const Actions<d> actions = actions_of(solid.cloud, modulus, solution, options);
+  const Actions<d> actions = actions_of(solid.cloud, modulus, solution, options, curved);
   set_exact_state(solid, solution, state);
   impose(solid, actions, state);
   if (!options.loads_at_step_start) {
@@ -197,9 +202,10 @@ ChosenIntegrator<d> drive(Solid<d>& solid, State<d>& state, ChosenIntegrator<d> 
 }
 
 #define PLUMBLINE_INSTANTIATE(d)                                                                           \
-  template Actions<d> actions_of<d>(const Cloud<d>&, double, const Manufactured<d>&, const DriveOptions&); \
+  template Actions<d> actions_of<d>(const Cloud<d>&, double, const Manufactured<d>&, const DriveOptions&,  \
+                                    const CurvedSurface<d>&);                                              \
   template ChosenIntegrator<d> drive<d>(Solid<d>&, State<d>&, ChosenIntegrator<d>, const Manufactured<d>&, \
-                                        const DriveOptions&);
+                                        const DriveOptions&, const CurvedSurface<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)
 PLUMBLINE_INSTANTIATE(3)

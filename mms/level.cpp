@@ -15,6 +15,7 @@
 #include "lib/scene/simulation.hpp"
 #include "lib/schemes/tlsph/compatible/clipped_surface.hpp"
 #include "mms/annulus.hpp"
+#include "mms/curved_surface.hpp"
 #include "mms/drive.hpp"
 #include "mms/mirrored.hpp"
 #include "mms/pace.hpp"
@@ -29,9 +30,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 template <int d>
 void check_shape(const Study& study, const Domain<d>& domain, const Box<d>& box) {
   const std::string what = fmt::format("a body of shape \"{}\" in this study", study.body.shape);
-  if (study.method.scheme != "implicit")
-    throw InputError(what, "conditions of the solution hold on the faces of its domain only",
-                     "Use plumb static with scheme = \"implicit\", which displaces the whole surface.");
   const double slack = 1e-9 * domain.box.size.maxCoeff();
   if (domain.shape != Domain<d>::Shape::box || ((domain.box.origin - box.origin).array() > slack).any() ||
       ((box.origin + box.size - domain.box.origin - domain.box.size).array() > slack).any())
@@ -45,6 +43,10 @@ void check_domain(const Study& study, const Manufactured<d>& solution) {
   if (domain.shape != Domain<d>::Shape::box && wants_gauss(study))
     throw InputError(fmt::format("Gauss norms of {}", solution.name),
                      "its domain is an annulus, the tiles are boxes", "Use quadrature = \"nodal\".");
+  if (has_curved_surface(study) && study.method.scheme != "tlsph" && study.method.scheme != "implicit")
+    throw InputError(fmt::format("scheme \"{}\" on a curved surface", study.method.scheme),
+                     "no solution acts there on a body of its own",
+                     "Use scheme = \"tlsph\", or a box without holes.");
   if (study.body.shape != "box") {
     const Box<d> box{Eigen::Map<const Vec<d>>(study.body.origin.data()),
                      Eigen::Map<const Vec<d>>(study.body.size.data())};
@@ -171,8 +173,12 @@ DrivenBody<d> driven_body(const Study& study, const Manufactured<d>& solution, d
                      "it goes from equilibrium to equilibrium", "use scheme = \"tlsph\" or \"mixed\"");
   DrivenBody<d> body{driven_simulation<d>(study, solution, spacing), {}};
   TlsphBody<d>& simulation = body.simulation;
+  CurvedSurface<d> curved;
+  if (has_curved_surface(study)) curved = curved_surface<d>(study, solution, simulation.solid);
   body.integrator = drive(simulation.solid, simulation.state, simulation.integrator, solution,
-                          {study.body.layout, loading.body_force, study.held_band, loading.at_step_start});
+                          {study.body.layout, loading.body_force, study.held_band, loading.at_step_start,
+                           study.body.shape == "box"},
+                          curved);
   return body;
 }
 

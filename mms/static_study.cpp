@@ -63,7 +63,7 @@ template <int d>
 Eigen::VectorXd linear_equilibrium(const Study& study, const Solid<d>& solid, const Linearised& body,
                                    Exact<d>& exact, const Manufactured<d>& solution, double time) {
   const std::vector<Prescribed> prescribed =
-      surface_conditions<d>(study, solution, solid.cloud, time, exact.u, exact.load);
+      surface_conditions<d>(study, solution, solid, time, exact.u, exact.load);
   return equilibrium(body.stiffness, exact.load, prescribed);
 }
 
@@ -158,9 +158,6 @@ StaticResult run_static_in(const Study& study, const StudyProgress& progress, Si
         "a static study needs particles on the surface of a box, or a solution at rest",
         "displacements are prescribed there",
         "Use layout = \"node\" and a solution on a box, one that is at rest, or scheme = \"implicit\".");
-  if (!finite(study) && !study.body.holes.empty())
-    throw InputError("a linear static study of a body with holes", "their surface would be free",
-                     "Use scheme = \"implicit\", which displaces it.");
   StaticResult result;
   for (const double spacing : study.spacings) {
     result.levels.push_back(sitting.value<StaticLevel>(

@@ -52,12 +52,10 @@ bool is_pulled(const FaceCondition& condition, const Manufactured<d>& solution) 
   return solution.still && condition.normal == Known::traction && condition.tangential == Known::traction;
 }
 
-}  // namespace
-
+/// Conditions of a solution at rest: its own, on the faces of a box or on two circles.
 template <int d>
-std::vector<Prescribed> surface_conditions(const Study& study, const Manufactured<d>& solution,
-                                           const Cloud<d>& cloud, double time, const Eigen::VectorXd& u,
-                                           Eigen::VectorXd& load) {
+std::vector<char> displaced_at_rest(const Study& study, const Manufactured<d>& solution,
+                                    const Cloud<d>& cloud, double time, Eigen::VectorXd& load) {
   const Domain<d>& domain = solution.domain;
   std::vector<char> displaced(static_cast<std::size_t>(cloud.size()), 0);
   if (domain.shape == Domain<d>::Shape::box)
@@ -66,15 +64,34 @@ std::vector<Prescribed> surface_conditions(const Study& study, const Manufacture
         if (!is_pulled(domain.faces[static_cast<std::size_t>(face)], solution))
           displaced[static_cast<std::size_t>(i)] = 1;
       });
-  if (solution.still)
-    for (const Facet<d>& facet : surface_of<d>(study, solution, cloud).facets) {
-      const Piece<d> piece = piece_of<d>(facet, domain);
-      if (is_pulled(piece.condition, solution))
-        load.template segment<d>(d * piece.owner) +=
-            piece.area * solution.traction(piece.at, time, piece.normal);
-      else
-        displaced[static_cast<std::size_t>(piece.owner)] = 1;
-    }
+  for (const Facet<d>& facet : surface_of<d>(study, solution, cloud).facets) {
+    const Piece<d> piece = piece_of<d>(facet, domain);
+    if (is_pulled(piece.condition, solution))
+      load.template segment<d>(d * piece.owner) +=
+          piece.area * solution.traction(piece.at, time, piece.normal);
+    else
+      displaced[static_cast<std::size_t>(piece.owner)] = 1;
+  }
+  return displaced;
+}
+
+}  // namespace
+
+template <int d>
+std::vector<Prescribed> surface_conditions(const Study& study, const Manufactured<d>& solution,
+                                           const Solid<d>& solid, double time, const Eigen::VectorXd& u,
+                                           Eigen::VectorXd& load) {
+  const Cloud<d>& cloud = solid.cloud;
+  std::vector<char> displaced(static_cast<std::size_t>(cloud.size()), 0);
+  if (solution.still) {
+    displaced = displaced_at_rest<d>(study, solution, cloud, time, load);
+  } else {
+    const CurvedSurface<d> surface = whole_surface<d>(study, solution, solid);
+    for (const Index i : surface.displaced) displaced[static_cast<std::size_t>(i)] = 1;
+    for (const LoadedPlace<d>& place : surface.pulled)
+      load.template segment<d>(d * place.particle) +=
+          place.size() * solution.traction(place.at, time, place.normal());
+  }
   std::vector<Prescribed> prescribed;
   for (Index i = 0; i < cloud.size(); ++i)
     for (int k = 0; displaced[static_cast<std::size_t>(i)] && k < d; ++k)
@@ -83,15 +100,24 @@ std::vector<Prescribed> surface_conditions(const Study& study, const Manufacture
 }
 
 template <int d>
-std::vector<Index> surface_particles(const Study& study, const Manufactured<d>& solution,
-                                     const Cloud<d>& cloud) {
-  std::set<Index> found;
-  const bool box = solution.domain.shape == Domain<d>::Shape::box && study.body.shape == "box";
-  for (Index i = 0; i < cloud.size() && box; ++i)
-    for_faces_at(cloud.box, cloud.X[i], [&](int, int) { found.insert(i); });
-  if (!box || !study.body.holes.empty())
-    for (const Facet<d>& facet : surface_of<d>(study, solution, cloud).facets) found.insert(facet.owner);
-  return {found.begin(), found.end()};
+CurvedSurface<d> whole_surface(const Study& study, const Manufactured<d>& solution, const Solid<d>& solid) {
+  const Cloud<d>& cloud = solid.cloud;
+  CurvedSurface<d> surface;
+  std::set<Index> follows;
+  if (has_curved_surface(study)) {
+    surface = curved_surface<d>(study, solution, solid);
+    if (study.body.shape != "box" && surface.displaced.empty()) hold_half(cloud, surface);
+  } else if (solution.domain.shape != Domain<d>::Shape::box) {
+    for (const Facet<d>& facet : surface_of<d>(study, solution, cloud).facets) follows.insert(facet.owner);
+  }
+  if (solution.domain.shape == Domain<d>::Shape::box && study.body.shape == "box")
+    for (Index i = 0; i < cloud.size(); ++i)
+      for_faces_at(cloud.box, cloud.X[i], [&](int, int) { follows.insert(i); });
+  follows.insert(surface.displaced.begin(), surface.displaced.end());
+  surface.displaced.assign(follows.begin(), follows.end());
+  std::erase_if(surface.pulled,
+                [&](const LoadedPlace<d>& place) { return follows.contains(place.particle); });
+  return surface;
 }
 
 template <int d>
@@ -108,11 +134,11 @@ std::vector<Index> held_unknowns(const Cloud<d>& cloud, const Domain<d>& domain)
   return still;
 }
 
-#define PLUMBLINE_INSTANTIATE(d)                                                                           \
-  template std::vector<Prescribed> surface_conditions<d>(const Study&, const Manufactured<d>&,             \
-                                                         const Cloud<d>&, double, const Eigen::VectorXd&,  \
-                                                         Eigen::VectorXd&);                                \
-  template std::vector<Index> surface_particles<d>(const Study&, const Manufactured<d>&, const Cloud<d>&); \
+#define PLUMBLINE_INSTANTIATE(d)                                                                          \
+  template std::vector<Prescribed> surface_conditions<d>(const Study&, const Manufactured<d>&,            \
+                                                         const Solid<d>&, double, const Eigen::VectorXd&, \
+                                                         Eigen::VectorXd&);                               \
+  template CurvedSurface<d> whole_surface<d>(const Study&, const Manufactured<d>&, const Solid<d>&);      \
   template std::vector<Index> held_unknowns<d>(const Cloud<d>&, const Domain<d>&);
 PLUMBLINE_INSTANTIATE(1)
 PLUMBLINE_INSTANTIATE(2)

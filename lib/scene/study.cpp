@@ -94,10 +94,17 @@ Study study_of(const TomlValue& document, const std::string& file_name,
   study.held_band = head.optional_number(
       {"held_band", "particles no farther than this from the boundary follow the solution"}, quantity::length,
       Sign::not_negative);
+  study.surface = head.choice_or(
+      {"surface",
+       "curved surfaces of the body follow the solution (displaced), or its tractions act on them (pulled)"},
+      study.surface, {"displaced", "pulled"});
   study.parameters = read_parameters(head);
   head.reject_unknown();
   study.expect = read_expect(root);
   study.body = read_body(root.section({"body", "the domain of the solution, without spacing"}), 0, false);
+  if (head.has("surface") && study.body.shape == "box" && study.body.holes.empty())
+    head.fail("surface", "for a box without holes", "its faces have the conditions of the solution",
+              "leave it out, or give the body another shape or [[body.hole]]");
   study.material = read_material(root.section({"material", "the law and its numbers"}), study.dimension());
   study.method = read_method(root, study.body);
   refuse_history(root, study.material, study.method);

@@ -38,6 +38,8 @@ struct Study {
   /// Particles on the boundary and those no farther from it than this [m] follow the solution in all
   /// components; absent: what the solution's faces say.
   std::optional<double> held_band;
+  std::string surface =
+      "displaced";  ///< curved surfaces follow the solution: displaced | pulled by its tractions
   std::map<std::string, double> parameters;  ///< [study.parameters] of the solution, SI units
   std::optional<Expect> expect;              ///< absent: orders are reported, not judged
   Body body;                                 ///< without spacing: use with_spacing(body, d)

@@ -59,6 +59,7 @@ std::vector<UnusedKey> keys_unused_by(StudyOf use) {
     keys.push_back({"dissipation", "", "nothing moves"});
   } else {
     keys.push_back({"expect", "", "it declares orders of a displacement, and no order is judged here"});
+    keys.push_back({"study", "surface", "nothing acts on the surface"});
     for (const char* key : {"eta2", "eta4", "outer"})
       keys.push_back({"jst", key, "only the weights of the Laplacian are looked at"});
   }

@@ -187,9 +187,10 @@ density = 1000
 )",
                                   "static.toml", {}, {}, StudyOf::equilibrium);
   const Manufactured<2> m = field("kirsch-plate", {{1e6, 0.3, 1000}, Plane::strain});
-  const Cloud<2> cloud = polar_cloud(1, 2, 0.25);
+  Solid<2> solid;
+  const Cloud<2>& cloud = solid.cloud = polar_cloud(1, 2, 0.25);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(2 * cloud.size()), load = u;
-  const auto prescribed = surface_conditions<2>(study, m, cloud, 0, u, load);
+  const auto prescribed = surface_conditions<2>(study, m, solid, 0, u, load);
   std::size_t around = 0;
   for (const auto& X : cloud.X) around += std::abs(X.norm() - 2) < 1e-12;
   EXPECT_GT(around, 30u);

@@ -3,6 +3,7 @@
 
 #include "lib/scene/study.hpp"
 #include "mms/static_study.hpp"
+#include "places.hpp"
 
 namespace plumb::mms {
 namespace {
