@@ -24,7 +24,7 @@ class PairRow {
  public:
   static constexpr Index width = native_width;
 
-  explicit PairRow(Index longest) : room_(static_cast<std::size_t>(size_for(longest) * (2 * d + 4)), 0.0) {
+  explicit PairRow(Index longest) : room_(static_cast<std::size_t>(size_for(longest) * (2 * d + 5)), 0.0) {
     const Index size = size_for(longest);
     other.resize(static_cast<std::size_t>(size), 0);
     place.resize(static_cast<std::size_t>(size), 0);
@@ -36,6 +36,7 @@ class PairRow {
     distance = take();
     per_r = take();
     opening = take();
+    spare = take();
   }
 
   Index count = 0, padded = 0;
@@ -44,6 +45,7 @@ class PairRow {
   double* distance = nullptr;       ///< [m]
   double* per_r = nullptr;          ///< 1/distance [1/m]; r per_r is 0 for particles at one place
   double* opening = nullptr;        ///< v_ij . r_ij [m^2/s]
+  double* spare = nullptr;          ///< room for numbers by pair of whoever uses the row
   std::vector<std::int32_t> other;
   std::vector<std::int64_t> place;  ///< in the list
 
@@ -95,6 +97,30 @@ class PairRow {
       for (int lane = 0; lane < width; ++lane) one += sum(n / d, n % d)[lane];
       whole(n / d, n % d) = one;
     }
+    return whole;
+  }
+
+  /// sum c r (x) r of numbers by pair, with zeros up to the end of the last pack.
+  Mat<d> sum_of_squares(const double* c) const {
+    using Real = Pack<native_width>;
+    std::array<std::array<Real, d>, d> sum;
+    for (auto& line : sum) line.fill(Real(0));
+    for (Index m = 0; m < padded; m += width) {
+      std::array<Real, d> at;
+      for (int k = 0; k < d; ++k) at[k] = Real::load(r[k] + m);
+      const Real weighed = Real::load(c + m);
+      for (int k = 0; k < d; ++k) {
+        const Real first = weighed * at[k];
+        for (int l = k; l < d; ++l) sum[k][l] += first * at[l];
+      }
+    }
+    Mat<d> whole;
+    for (int k = 0; k < d; ++k)
+      for (int l = k; l < d; ++l) {
+        double one = 0;
+        for (int lane = 0; lane < width; ++lane) one += sum[k][l][lane];
+        whole(k, l) = whole(l, k) = one;
+      }
     return whole;
   }
 

@@ -46,12 +46,12 @@ void Updated<d>::stretch_bonds(const State& state, const PairHistory& before, do
 /// (17.11).
 template <int d>
 Mat<d> Updated<d>::reaction(const PairHistory& bonds, const PairRow<d>& row) const {
-  Mat<d> sum = Mat<d>::Zero();
-  for (Index m = 0; m < row.count; ++m) {
-    const Vec<d> r = row.r_of(m);
-    sum += (row.weight[m] * bonds.value[row.place[m]] / row.distance[m]) * r * r.transpose();
-  }
-  return 0.5 * bond_modulus() * sum;
+  double* const share = row.spare;
+  for (Index m = 0; m < row.count; ++m) share[m] = bonds.value[row.place[m]];
+  for (Index m = row.count; m < row.padded; ++m) share[m] = 0;
+#pragma omp simd
+  for (Index m = 0; m < row.padded; ++m) share[m] *= row.weight[m] / row.distance[m];
+  return 0.5 * bond_modulus() * row.sum_of_squares(share);
 }
 
 /// Force on every particle at x_ [N], THEORY (17.6): S_ holds sigma B. Without dissipation
