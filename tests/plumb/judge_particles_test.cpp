@@ -139,6 +139,7 @@ TEST(JudgeParticles, AWrongTimeLevelIsNamed) {
 TEST(JudgeParticles, ASlipOfUnitsIsNamed) {
   const Files files(
       [](const Vec<2>& X, double h) { return Vec<2>(1000 * (exact(X) + 1e-3 * h * h * wiggle(X))); });
+  EXPECT_EQ(causes(judge(files, "--expect 2 --json -")).find("wrong time level"), std::string::npos);
   EXPECT_NE(causes(judge(files, "--expect 2 --json -")).find("a power of ten: a slip of units"),
             std::string::npos);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "reports/drawn_bodies.hpp"
@@ -110,6 +111,31 @@ TEST(BodyNumbers, ThePeriodOfAThinPlate) {
   EXPECT_EQ(period_of(0.976 * period).verdict, "pass");
   EXPECT_EQ(period_of(1.036 * period).verdict, "fail");
   EXPECT_EQ(period_of(0.964 * period).verdict, "fail");
+}
+
+/// The number of a column of n x n x 6n cells, lowest layer held, whose run has that energy at the start.
+Check start_energy_of(const std::string& id, int n, double energy) {
+  const plumb::test::TemporaryFolder folder;
+  std::ofstream(folder / "result.json") << nlohmann::json{
+      {"status", "completed"}, {"particles", 6 * n * n * n}, {"energy", {{"initial", energy}}}};
+  JobResult result;
+  result.folder = folder.path();
+  Results results;
+  results.add(id, result);
+  for (const auto& body : paper_size_bodies())
+    if (body.id == id) return number_of(body, results);
+  throw std::runtime_error("no such body");
+}
+
+/// The bending column starts with v = 5 Z/3: rho/2 (5/3)^2 (sum of the squares of the layers' middles) d. The sum of (k + 1/2)^2 below N
+/// is N (4 N^2 - 1)/12.
+TEST(BodyNumbers, TheEnergyOfAColumnThatIsThrown) {
+  const double n = 10, N = 6 * n, d = 1 / n;
+  const double squares = N * (4 * N * N - 1) / 12 - 0.25;  // without the lowest layer
+  const double energy = 1100 / 2.0 * 25 / 9 * squares * d * d * d;
+  EXPECT_EQ(start_energy_of("column-10-adjoint", 10, energy).verdict, "pass")
+      << start_energy_of("column-10-adjoint", 10, energy).expected;
+  EXPECT_EQ(start_energy_of("column-10-adjoint", 10, energy * (1 + 1e-9)).verdict, "fail");
 }
 
 }  // namespace

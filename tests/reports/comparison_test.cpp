@@ -173,6 +173,21 @@ TEST(Comparison, WhatBecameOfARun) {
   EXPECT_FALSE(outcome("plate", "x").angular_drift.has_value());
 }
 
+/// One overview has the printed schemes, the other the mended ones; elements stand in both.
+TEST(Comparison, OverviewsShowOneKindBesideTheElements) {
+  Given given;
+  fill(given);
+  const Table t = table();
+  const Outcomes outcomes = outcomes_of(given.results, t);
+  const auto columns = [&](bool printed) {
+    std::vector<std::string> names;
+    for (const auto& column : overview(t, outcomes, printed).columns) names.push_back(column.name);
+    return names;
+  };
+  EXPECT_EQ(columns(true), (std::vector<std::string>{"problem", "spacing", "x, printed", "elements"}));
+  EXPECT_EQ(columns(false), (std::vector<std::string>{"problem", "spacing", "x, mended", "elements"}));
+}
+
 TEST(Comparison, WhatBreaksIsSaid) {
   Given given;
   fill(given);

@@ -143,6 +143,14 @@ TEST(PointFile, RefusalsNameThePlace) {
           "a.vtp")
           .find("beyond the end"),
       std::string::npos);
+  const auto of_components = [&](const std::string& count) {
+    return refusal(
+        begin + "<DataArray type=\"Float64\" Name=\"a\" NumberOfComponents=\"" + count + "\">1</DataArray>",
+        "a.vtp");
+  };
+  EXPECT_NE(of_components("101").find("a has 101 components"), std::string::npos) << of_components("101");
+  EXPECT_NE(of_components("100").find("a has 1 numbers for 1 points of 100"), std::string::npos)
+      << of_components("100");
   EXPECT_NE(refusal("<VTKFile byte_order=\"BigEndian\">", "a.vtu").find("big-endian"), std::string::npos);
   EXPECT_NE(refusal("<VTKFile compressor=\"vtkLZ4DataCompressor\">", "a.vtu").find("vtkLZ4DataCompressor"),
             std::string::npos);
