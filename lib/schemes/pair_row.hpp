@@ -51,14 +51,17 @@ class PairRow {
 
   template <class Slope>
   void fill(const MovingPairs<d, Slope>& pairs, Index i, Seen seen) {
-    const Vec<d> here = pairs.x[i];
+    const std::array<double, d> here = numbers_of(pairs.x[i]);
     const double reach = 1 / pairs.slope.per_reach, square = reach * reach;
     Index m = 0;
     for (auto n = pairs.list.begin[i]; n < pairs.list.begin[i + 1]; ++n) {
       const std::int32_t j = pairs.list.other[n];
-      const Vec<d> apart = here - pairs.x[j];
-      const double s = apart.squaredNorm();
-      for (int k = 0; k < d; ++k) r[k][m] = apart[k];
+      double s = 0;
+      for (int k = 0; k < d; ++k) {
+        const double apart = here[k] - pairs.x[j][k];
+        r[k][m] = apart;
+        s += apart * apart;
+      }
       distance[m] = s;
       weight[m] = pairs.V[j];
       other[m] = j;
@@ -163,12 +166,17 @@ class PairRow {
     return (longest + 2 * width) / width * width;
   }
 
+  /// Numbers one by one: vectors of three would go through memory, and every pair would wait for it.
+  static std::array<double, d> numbers_of(const Vec<d>& a) {
+    std::array<double, d> numbers;
+    for (int k = 0; k < d; ++k) numbers[k] = a[k];
+    return numbers;
+  }
+
   void fill_velocities(const std::vector<Vec<d>>& of, Index i) {
-    const Vec<d> here = of[i];
-    for (Index m = 0; m < padded; ++m) {
-      const Vec<d> apart = here - of[other[m]];
-      for (int k = 0; k < d; ++k) v[k][m] = apart[k];
-    }
+    const std::array<double, d> here = numbers_of(of[i]);
+    for (Index m = 0; m < padded; ++m)
+      for (int k = 0; k < d; ++k) v[k][m] = here[k] - of[other[m]][k];
   }
 
   template <class Slope>

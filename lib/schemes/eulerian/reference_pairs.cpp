@@ -1,5 +1,7 @@
 #include "lib/schemes/eulerian/reference_pairs.hpp"
 
+#include <array>
+
 namespace plumb {
 
 template <int d>
@@ -24,12 +26,16 @@ ReferencePairs<d>::ReferencePairs(std::vector<Vec<d>> x, std::vector<double> V,
 template <int d>
 Mat<d> ReferencePairs<d>::gradient(const std::vector<Vec<d>>& x, Index i) const {
   if (L_[i] == Mat<d>::Zero()) return Mat<d>::Identity();
-  Mat<d> sum = Mat<d>::Zero();
+  // number by number: vectors of three would go through memory, and wait for it
+  std::array<double, d * d> sum{};
   for (auto n = list_->begin[i]; n < list_->begin[i + 1]; ++n) {
     const Index j = list_->other[n];
-    sum += (weight_[n] * (x[i] - x[j])) * (x_[i] - x_[j]).transpose();
+    for (int k = 0; k < d; ++k) {
+      const double apart = weight_[n] * (x[i][k] - x[j][k]);
+      for (int l = 0; l < d; ++l) sum[k + l * d] += apart * (x_[i][l] - x_[j][l]);
+    }
   }
-  return sum * L_[i];
+  return Eigen::Map<const Mat<d>>(sum.data()) * L_[i];
 }
 
 template class ReferencePairs<1>;

@@ -40,20 +40,21 @@ template <int d>
 void OperatorRows<d>::gradient(Index i, Shares<d>& shares) const {
   const BondTable<d>& t = solid_.bonds;
   shares.clear();
+  const Vec<d> ones = Vec<d>::Ones();
   Vec<d> sum = Vec<d>::Zero();
-  const auto put = [&](Index j, const Vec<d>& c, const Vec<d>& signs = Vec<d>::Ones()) {
+  const auto put = [&](Index j, const Vec<d>& c, const Vec<d>& signs) {
     add<d>(shares, j, signs * c.transpose());
     sum += c;
   };
   const Index own = t.slots.of(i);
   for_each_bond(t, own, [&](const BondEntry<d>& bond, const Vec<d>&) {
-    put(particle_[bond.other], bond.vector(t.stencil));
+    put(particle_[bond.other], bond.vector(t.stencil), ones);
   });
   for_each_image(t, own, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
     const Vec<d> c = bond.vector(t.mirror->stencil);
     if (c.squaredNorm() > 0) put(particle_[bond.other], c, signs);
   });
-  put(i, -sum);
+  put(i, -sum, ones);
   tidy<d>(shares);
 }
 
@@ -61,17 +62,18 @@ template <int d>
 void OperatorRows<d>::force(Index i, Shares<d>& shares) const {
   const BondTable<d>& t = solid_.bonds;
   shares.clear();
+  const Vec<d> ones = Vec<d>::Ones();
   const Index slot = t.slots.of(i), row = t.row[slot / t.width], lane = slot % t.width;
-  const auto put = [&](Index j, const Vec<d>& weight, const Vec<d>& signs = Vec<d>::Ones()) {
+  const auto put = [&](Index j, const Vec<d>& weight, const Vec<d>& signs) {
     add<d>(shares, j, -solid_.cloud.V[i] * signs * signs.cwiseProduct(weight).transpose());
   };
   Vec<d> own;
   for (int k = 0; k < d; ++k) own[k] = t.own_force[(row * d + k) * t.width + lane];
   if (t.mirror)
     for (int k = 0; k < d; ++k) own[k] += t.mirror->own_force[(row * d + k) * t.width + lane];
-  put(i, own);
+  put(i, own, ones);
   for_each_bond(t, slot, [&](const BondEntry<d>& bond, const Vec<d>&) {
-    put(particle_[bond.other], bond.vector(t.force_weights()));
+    put(particle_[bond.other], bond.vector(t.force_weights()), ones);
   });
   for_each_image(t, slot, [&](const BondEntry<d>& bond, const Vec<d>& signs) {
     const Vec<d> a = bond.vector(t.mirror->force);
