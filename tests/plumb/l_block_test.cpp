@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "places.hpp"
 #include "tests/support/run_scene.hpp"
 
 namespace plumb {

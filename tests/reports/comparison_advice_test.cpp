@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "places.hpp"
 #include "reports/assets.hpp"
 #include "reports/comparison/steps.hpp"
 #include "reports/named.hpp"
